@@ -1,0 +1,24 @@
+// Positions of every axis along a tool path: what inverse kinematics makes and the post writes.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kinematics/model/machine.hpp"
+#include "kinematics/model/tool_path.hpp"
+
+namespace volute::kinematics {
+
+struct AxisPathPoint {
+  AxisVector q = AxisVector::Zero();  ///< machine coordinates, rotaries unwrapped
+  ToolPose pose;                      ///< the pose that q reaches, in P
+  MoveKind move = MoveKind::cut;
+  double feed_mm_s = 0.0;
+  std::int32_t source = -1;           ///< index of the tool path's point; -1: put in between (linearization, rewind)
+};
+
+struct AxisPath {
+  std::vector<AxisPathPoint> points;
+};
+
+}  // namespace volute::kinematics
