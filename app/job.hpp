@@ -1,0 +1,39 @@
+// The job file: TOML in, everything that a run needs out. Inside units from here on.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geometry/mesh_io.hpp"
+#include "kinematics/model/control.hpp"
+#include "planner/options.hpp"
+
+namespace volute::app {
+
+struct Job {
+  std::filesystem::path file;
+  std::string name;                               ///< the file's name without .toml
+  std::filesystem::path surface_file;
+  double unit_mm = 1.0;
+  int component = -1;                             ///< -1: the part must have one component
+  kinematics::Tool tool;
+  std::vector<std::filesystem::path> obstacle_files, fixture_files;
+  planner::PathOptions path;
+  planner::OrientationOptions orientation;
+  planner::ProcessOptions process;
+  double spindle_rpm = 5000.0;
+  bool coolant = true;
+  std::string profile;                            ///< name or path as written
+  kinematics::Setup setup;
+  double gouge_tolerance_mm = 0.0, clearance_mm = 1.0;
+};
+
+/// Errors (bad_input): job-*: file, line, key, value, rule, remedy. Keys that nobody reads are refused, with the nearest name.
+/// Files that the job names are looked up relative to the job file.
+geometry::Result<Job> load_job(const std::filesystem::path& file);
+
+/// "x,y,z" in mm as a setup without turning; "" is 0,0,0. Error: setup-syntax.
+geometry::Result<kinematics::Setup> parse_setup(const std::string& text);
+
+}  // namespace volute::app

@@ -1,0 +1,156 @@
+#include "app/pipeline.hpp"
+
+#include "geometry/mesh_report.hpp"
+#include "post/cl_data.hpp"
+
+namespace volute::app {
+
+namespace {
+
+/// Two roundings of a word meet when a program is read back: half a unit of the last digit of each of three words, and the
+/// linear solve behind them.
+constexpr double rounding_slack = 4.0;
+
+double decimal_step(int decimals) {
+  double step = 1.0;
+  for (int i = 0; i < decimals; ++i) step /= 10.0;
+  return step;
+}
+
+geometry::Result<void> load_obstacles(const std::vector<std::filesystem::path>& files, JobInputs& inputs) {
+  for (const std::filesystem::path& file : files) {
+    auto loaded = geometry::load_mesh(file, inputs.job.unit_mm);
+    if (!loaded) return tl::unexpected(loaded.error());
+    for (const std::string& warning : loaded->repairs.warnings) inputs.warnings.push_back(warning);
+    inputs.obstacles.push_back(std::move(loaded->mesh));
+    inputs.obstacle_names.push_back(file.stem().string());
+  }
+  return {};
+}
+
+planner::Scene scene_of(const JobInputs& inputs) {
+  planner::Scene scene;
+  scene.part = inputs.surface;
+  const auto first_fixture = inputs.obstacles.end() - static_cast<std::ptrdiff_t>(inputs.fixture_count);
+  scene.obstacles.assign(inputs.obstacles.begin(), first_fixture);
+  scene.fixtures.assign(first_fixture, inputs.obstacles.end());
+  scene.names = inputs.obstacle_names;
+  scene.clearance_mm = inputs.job.clearance_mm;
+  scene.gouge_tolerance_mm = inputs.job.gouge_tolerance_mm;
+  return scene;
+}
+
+std::vector<kinematics::ToolPose> cutting_poses(const kinematics::AxisPath& path) {
+  std::vector<kinematics::ToolPose> poses;
+  for (const kinematics::AxisPathPoint& point : path.points)
+    if (point.move == kinematics::MoveKind::cut) poses.push_back(point.pose);
+  return poses;
+}
+
+}  // namespace
+
+geometry::Result<JobInputs> load_inputs(const std::filesystem::path& job_file, const Context& context) {
+  auto job = load_job(job_file);
+  if (!job) return tl::unexpected(job.error());
+  JobInputs inputs;
+  inputs.job = std::move(*job);
+  auto profile = kinematics::load_profile(context.machines_folder(), inputs.job.profile);
+  if (!profile) return tl::unexpected(profile.error());
+  inputs.profile = std::move(*profile);
+  const auto loaded = geometry::load_mesh(inputs.job.surface_file, inputs.job.unit_mm);
+  if (!loaded) return tl::unexpected(loaded.error());
+  inputs.warnings = loaded->repairs.warnings;
+  auto surface = geometry::machinable_surface(*loaded, inputs.job.component);
+  if (!surface) {
+    geometry::Error error = surface.error();
+    error.message = inputs.job.surface_file.string() + ": " + error.message;
+    return tl::unexpected(error);
+  }
+  inputs.surface = std::move(*surface);
+  if (auto read = load_obstacles(inputs.job.obstacle_files, inputs); !read) return tl::unexpected(read.error());
+  if (auto read = load_obstacles(inputs.job.fixture_files, inputs); !read) return tl::unexpected(read.error());
+  inputs.fixture_count = inputs.job.fixture_files.size();
+  return inputs;
+}
+
+geometry::Result<planner::PlanResult> plan_job(const JobInputs& inputs, Progress& progress) {
+  planner::PlanRequest request;
+  request.surface = inputs.surface;
+  request.tool = inputs.job.tool;
+  request.scene = scene_of(inputs);
+  request.path = inputs.job.path;
+  request.orientation = inputs.job.orientation;
+  request.process = inputs.job.process;
+  request.machine = inputs.profile.machine;
+  request.setup = inputs.job.setup;
+  request.progress = progress.callback();
+  return planner::plan(request);
+}
+
+geometry::Result<post::PostResult> post_job(const JobInputs& inputs, const planner::PlanResult& plan) {
+  post::PostRequest request;
+  request.program_name = inputs.job.name;
+  request.path = plan.tool_path;
+  request.tool = inputs.job.tool;
+  request.setup = inputs.job.setup;
+  request.spindle_rpm = inputs.job.spindle_rpm;
+  request.coolant = inputs.job.coolant;
+  request.tolerance_mm = inputs.job.path.tolerance_mm / 2.0;
+  return post::post(request, inputs.profile);
+}
+
+geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const planner::PlanResult&, const post::PostResult& posted,
+                                               Progress& progress) {
+  const kinematics::Control& control = inputs.profile.control;
+  sim::VerifyRequest request;
+  request.text = posted.text;
+  request.file_name = inputs.job.name + control.program_extension;
+  request.profile = inputs.profile;
+  request.setup = inputs.job.setup;
+  request.tool = inputs.job.tool;
+  request.surface_P = inputs.surface;
+  request.obstacles_P = inputs.obstacles;
+  request.obstacle_names = inputs.obstacle_names;
+  request.cut.uncut_limit_mm = inputs.job.path.scallop_mm + inputs.job.path.allowance_mm;
+  request.cut.gouge_limit_mm = inputs.job.gouge_tolerance_mm;
+  request.expected_poses = cutting_poses(posted.axis_path);
+  const double rotary_step_rad = geometry::Angle::degrees(decimal_step(control.rotary_decimals)).radians();
+  const double arm_mm = control.tcp ? 0.0 : inputs.job.tool.gauge_length_mm + 1000.0;
+  request.expected_tolerance_mm = rounding_slack * (decimal_step(control.linear_decimals) + rotary_step_rad * arm_mm);
+  request.expected_tolerance_rad = rounding_slack * (rotary_step_rad + decimal_step(control.vector_decimals));
+  request.progress = progress.callback();
+  return sim::verify(request);
+}
+
+view::RunView run_view(const JobInputs& inputs, const planner::PlanResult& plan, const post::PostResult& posted,
+                       const sim::VerifyResult& verified) {
+  view::RunView view;
+  view.title = inputs.job.name + " on " + inputs.profile.name;
+  view.surface_P = inputs.surface;
+  view.obstacles_P = inputs.obstacles;
+  view.obstacle_names = inputs.obstacle_names;
+  view.tool = inputs.job.tool;
+  view.setup = inputs.job.setup;
+  view.profile = inputs.profile;
+  view.tool_path = plan.tool_path;
+  view.trace = verified.trace;
+  view.cut = verified.cut;
+  view.findings = verified.findings;
+  view.program_text = posted.text;
+  view.map_vertices = plan.cc.map.vertices;
+  view.map_triangles = plan.cc.map.triangles;
+  view.map_guide_lines = plan.cc.map.guide_lines;
+  return view;
+}
+
+std::string cl_text(const JobInputs& inputs, const planner::PlanResult& plan) {
+  post::ClData data;
+  data.part_name = inputs.job.name;
+  data.tool = inputs.job.tool;
+  data.spindle_rpm = inputs.job.spindle_rpm;
+  data.coolant = inputs.job.coolant;
+  data.path = plan.tool_path;
+  return post::write_cl(data);
+}
+
+}  // namespace volute::app

@@ -1,0 +1,43 @@
+// The steps that several commands share: from a job to its inputs, to a plan, to a program, to a verdict. No algorithms.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/context.hpp"
+#include "app/job.hpp"
+#include "planner/plan.hpp"
+#include "post/post.hpp"
+#include "sim/verify.hpp"
+#include "view/run_view.hpp"
+
+namespace volute::app {
+
+/// What a job names, read.
+struct JobInputs {
+  Job job;
+  kinematics::Profile profile;
+  geometry::TriangleMesh surface;
+  std::vector<geometry::TriangleMesh> obstacles;  ///< obstacles, then fixtures
+  std::vector<std::string> obstacle_names;
+  std::size_t fixture_count = 0;
+  std::vector<std::string> warnings;
+};
+
+geometry::Result<JobInputs> load_inputs(const std::filesystem::path& job_file, const Context& context);
+
+geometry::Result<planner::PlanResult> plan_job(const JobInputs& inputs, Progress& progress);
+geometry::Result<post::PostResult> post_job(const JobInputs& inputs, const planner::PlanResult& plan);
+geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const planner::PlanResult& plan, const post::PostResult& posted,
+                                               Progress& progress);
+/// Everything that pictures and the page show of a run.
+view::RunView run_view(const JobInputs& inputs, const planner::PlanResult& plan, const post::PostResult& posted,
+                       const sim::VerifyResult& verified);
+
+/// The plan as CL data, ISO 4343.
+std::string cl_text(const JobInputs& inputs, const planner::PlanResult& plan);
+
+}  // namespace volute::app

@@ -1,0 +1,34 @@
+// Results as report.json: the keys of the contract, in its order. A key whose value is not known is absent.
+#pragma once
+
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "geometry/mesh_report.hpp"
+#include "kinematics/model/control.hpp"
+#include "planner/plan.hpp"
+#include "post/post.hpp"
+#include "sim/verify.hpp"
+
+namespace volute::app {
+
+using Json = nlohmann::ordered_json;
+
+Json surface_json(const planner::SurfaceReport& surface);
+Json path_json(const planner::PathReport& path);
+Json orientation_json(const planner::OrientationReport& orientation);
+Json run_json(const sim::RunReport& run, const kinematics::Machine& machine);
+Json machining_json(const sim::CutSurfaceReport& cut);
+Json collision_json(const sim::CollisionReport& collision, int planner_hits);
+Json loads_json(const sim::LoadsReport& loads, const kinematics::Machine& machine);
+Json findings_json(const std::vector<sim::Finding>& findings);
+Json timing_json(const std::map<std::string, double>& timing_s);
+Json mesh_json(const geometry::MeshReport& report, const std::string& file);
+
+/// The parts that a plan knows: surface, path, orientation, timing.
+Json plan_json(const planner::PlanResult& plan);
+/// program, run, machining, collision, loads, findings, timing.
+Json verify_json(const sim::VerifyResult& result, const kinematics::Profile& profile, int planner_hits);
+
+}  // namespace volute::app

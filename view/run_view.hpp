@@ -1,0 +1,55 @@
+// All that pictures and the report need of a run, and the functions that draw it. view knows no planner.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/mesh.hpp"
+#include "geometry/result.hpp"
+#include "kinematics/model/control.hpp"
+#include "kinematics/model/tool_path.hpp"
+#include "sim/finding.hpp"
+#include "sim/machining/cut_surface.hpp"
+#include "sim/verify.hpp"
+
+namespace volute::view {
+
+using geometry::Result;
+
+/// A run as it is drawn. Empty members leave their picture out. Part frame P throughout.
+struct RunView {
+  std::string title;                               ///< "mouse on ac-head-fanuc"
+  geometry::TriangleMesh surface_P;
+  std::vector<geometry::TriangleMesh> obstacles_P;
+  std::vector<std::string> obstacle_names;
+  kinematics::Tool tool;
+  kinematics::Setup setup;
+  std::optional<kinematics::Profile> profile;
+  kinematics::ToolPath tool_path;                  ///< what was planned (or read from CL data); may be empty for foreign programs
+  sim::TraceView trace;                            ///< what the axes did
+  std::optional<sim::CutSurfaceReport> cut;
+  std::vector<sim::Finding> findings;
+  std::string report_json;                         ///< report.json as text: the numbers that the page shows
+  std::string program_name, program_text;
+  // the map, when the method has one
+  std::vector<geometry::Vec2> map_vertices;
+  std::vector<geometry::Triangle> map_triangles;
+  std::vector<std::vector<geometry::Vec2>> map_guide_lines;
+};
+
+/// Keeps a run's view in `folder` (view/*.ply, view.json, trace.bin ...) so that `volute render` can draw it again.
+Result<void> save_view(const RunView& view, const std::filesystem::path& folder);
+/// Errors (bad_input): view-missing: the folder is not a run's.
+Result<RunView> load_view(const std::filesystem::path& folder);
+
+/// Every picture and plot that the view has data for, into `folder`; returns the file names written, in order:
+/// path.png (path on the part, coloured by turn), axes.svg (A and C over time with limits), feed.svg, orientation.png,
+/// machined.png (deviation with legend), map.png, machine.png, loads.svg ...
+Result<std::vector<std::string>> write_pictures(const RunView& view, const std::filesystem::path& folder);
+
+/// One self-contained page, no network: verdict, numbers, findings, 3D playback, axis plots.
+Result<void> write_report_html(const RunView& view, const std::filesystem::path& file);
+
+}  // namespace volute::view
