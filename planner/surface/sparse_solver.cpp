@@ -1,0 +1,184 @@
+#include "planner/surface/sparse_solver.hpp"
+
+#include <dlfcn.h>
+
+#include <cholmod.h>
+
+#include <vector>
+
+#include "geometry/check.hpp"
+
+namespace volute::planner {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+// More than one BLAS thread could change the order of a sum, and would fight with the planner's own threads.
+void hold_blas_to_one_thread() {
+  using SetThreads = void (*)(int);
+  static const auto set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+  if (set_threads != nullptr) set_threads(1);
+}
+
+/// CHOLMOD's view of an Eigen matrix: the upper half is read, nothing is copied or written.
+cholmod_sparse view_of(const Matrix& matrix) {
+  cholmod_sparse out{};
+  out.nrow = static_cast<std::size_t>(matrix.rows());
+  out.ncol = static_cast<std::size_t>(matrix.cols());
+  out.nzmax = static_cast<std::size_t>(matrix.nonZeros());
+  out.p = const_cast<int*>(matrix.outerIndexPtr());
+  out.i = const_cast<int*>(matrix.innerIndexPtr());
+  out.x = const_cast<double*>(matrix.valuePtr());
+  out.stype = 1;
+  out.itype = CHOLMOD_INT;
+  out.xtype = CHOLMOD_REAL;
+  out.dtype = CHOLMOD_DOUBLE;
+  out.sorted = 1;
+  out.packed = 1;
+  return out;
+}
+
+cholmod_dense view_of(const double* values, std::size_t rows, std::size_t columns) {
+  cholmod_dense out{};
+  out.nrow = rows;
+  out.ncol = columns;
+  out.nzmax = rows * columns;
+  out.d = rows;
+  out.x = const_cast<double*>(values);
+  out.xtype = CHOLMOD_REAL;
+  out.dtype = CHOLMOD_DOUBLE;
+  return out;
+}
+
+}  // namespace
+
+struct SparseSolver::Factor {
+  cholmod_common common{};
+  cholmod_factor* symbolic_and_numbers = nullptr;
+  // Workspace that CHOLMOD keeps between solves.
+  cholmod_dense *solution = nullptr, *work_y = nullptr, *work_e = nullptr;
+  std::size_t rows = 0;
+
+  Factor() {
+    cholmod_start(&common);
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_AMD;
+    common.postorder = 1;
+    common.final_ll = 1;
+    common.print = 0;
+    common.quick_return_if_not_posdef = 1;
+    common.error_handler = nullptr;
+  }
+  Factor(const Factor&) = delete;
+  Factor& operator=(const Factor&) = delete;
+  ~Factor() {
+    cholmod_free_dense(&solution, &common);
+    cholmod_free_dense(&work_y, &common);
+    cholmod_free_dense(&work_e, &common);
+    cholmod_free_factor(&symbolic_and_numbers, &common);
+    cholmod_finish(&common);
+  }
+
+  Result<void> check(const char* step) const {
+    const std::string size = std::to_string(rows) + " unknowns";
+    if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE) {
+      return geometry::system_error("matrix-too-large", std::string(step) + " a system of " + size +
+                                                            " does not fit in memory; plan on a coarser mesh");
+    }
+    if (common.status != CHOLMOD_OK) {
+      return geometry::bad_input("matrix-not-positive-definite",
+                                 "a system of " + size + " has no unique solution (" + step +
+                                     "); the mesh has triangles too thin for double precision: repair or remesh it");
+    }
+    return {};
+  }
+
+  const cholmod_dense& solve(const double* values, std::size_t columns) {
+    cholmod_dense right = view_of(values, rows, columns);
+    const int done =
+        cholmod_solve2(CHOLMOD_A, symbolic_and_numbers, &right, nullptr, &solution, nullptr, &work_y, &work_e, &common);
+    VOLUTE_CHECK(done != 0 && solution != nullptr, common.status, rows, columns);
+    return *solution;
+  }
+};
+
+SparseSolver::SparseSolver(std::unique_ptr<Factor> factor) : factor_(std::move(factor)) {}
+SparseSolver::~SparseSolver() = default;
+SparseSolver::SparseSolver(SparseSolver&&) noexcept = default;
+SparseSolver& SparseSolver::operator=(SparseSolver&&) noexcept = default;
+
+Result<SparseSolver> SparseSolver::factor(const Matrix& matrix) {
+  VOLUTE_CHECK(matrix.rows() == matrix.cols() && matrix.isCompressed(), matrix.rows(), matrix.cols());
+  auto factor = std::make_unique<Factor>();
+  factor->rows = static_cast<std::size_t>(matrix.rows());
+  cholmod_sparse view = view_of(matrix);
+  factor->symbolic_and_numbers = cholmod_analyze(&view, &factor->common);
+  if (auto checked = factor->check("analysing"); !checked) return tl::unexpected(checked.error());
+  SparseSolver out(std::move(factor));
+  if (auto done = out.refactor(matrix); !done) return tl::unexpected(done.error());
+  return out;
+}
+
+Result<void> SparseSolver::refactor(const Matrix& matrix) {
+  VOLUTE_CHECK(static_cast<std::size_t>(matrix.rows()) == factor_->rows && matrix.isCompressed(), matrix.rows());
+  hold_blas_to_one_thread();
+  cholmod_sparse view = view_of(matrix);
+  cholmod_factorize(&view, factor_->symbolic_and_numbers, &factor_->common);
+  return factor_->check("factorising");
+}
+
+Eigen::VectorXd SparseSolver::solve(const Eigen::VectorXd& right_side) const {
+  VOLUTE_CHECK(static_cast<std::size_t>(right_side.size()) == factor_->rows, right_side.size(), factor_->rows);
+  const cholmod_dense& x = factor_->solve(right_side.data(), 1);
+  return Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(x.x), right_side.size());
+}
+
+Eigen::MatrixXd SparseSolver::solve(const Eigen::MatrixXd& right_sides) const {
+  VOLUTE_CHECK(static_cast<std::size_t>(right_sides.rows()) == factor_->rows, right_sides.rows(), factor_->rows);
+  Eigen::MatrixXd out(right_sides.rows(), right_sides.cols());
+  // Column by column: the work of one right-hand side stays in cache, and each column has the bytes of a single solve.
+  for (Eigen::Index c = 0; c < right_sides.cols(); ++c) out.col(c) = solve(Eigen::VectorXd(right_sides.col(c)));
+  return out;
+}
+
+Result<Eigen::MatrixXd> solve_with_fixed(const Matrix& matrix, std::span<const int> fixed,
+                                         const Eigen::MatrixXd& values, const Eigen::MatrixXd& right_side) {
+  const Eigen::Index n = matrix.rows();
+  VOLUTE_CHECK(values.rows() == static_cast<Eigen::Index>(fixed.size()), values.rows(), fixed.size());
+  std::vector<int> free_row(static_cast<std::size_t>(n), 0);
+  for (int row : fixed) free_row[static_cast<std::size_t>(row)] = -1;
+  int free_count = 0;
+  for (int& row : free_row) row = row < 0 ? -1 : free_count++;
+
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(n, values.cols());
+  for (std::size_t i = 0; i < fixed.size(); ++i) out.row(fixed[i]) = values.row(static_cast<Eigen::Index>(i));
+  if (free_count == 0) return out;
+
+  Eigen::MatrixXd load = -(matrix * out);
+  if (right_side.size() > 0) load += right_side;
+  Matrix reduced(free_count, free_count);
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(matrix.nonZeros()));
+  Eigen::MatrixXd reduced_load(free_count, values.cols());
+  for (int c = 0; c < n; ++c) {
+    const int column = free_row[static_cast<std::size_t>(c)];
+    if (column < 0) continue;
+    reduced_load.row(column) = load.row(c);
+    for (Matrix::InnerIterator it(matrix, c); it; ++it) {
+      const int row = free_row[static_cast<std::size_t>(it.row())];
+      if (row >= 0) entries.emplace_back(row, column, it.value());
+    }
+  }
+  reduced.setFromTriplets(entries.begin(), entries.end());
+  auto solver = SparseSolver::factor(reduced);
+  if (!solver) return tl::unexpected(solver.error());
+  const Eigen::MatrixXd x = solver->solve(reduced_load);
+  for (Eigen::Index r = 0; r < n; ++r) {
+    const int row = free_row[static_cast<std::size_t>(r)];
+    if (row >= 0) out.row(r) = x.row(row);
+  }
+  return out;
+}
+
+}  // namespace volute::planner
