@@ -44,7 +44,8 @@ struct Component {
 /// Neighbourhood of an oriented 2-manifold with or without boundary.
 /// Properties, each with a test of that name:
 /// 1. opposite(opposite(h)) == h on inner edges. 2. Every vertex of a boundary loop has exactly one loop through it.
-/// 3. The Euler characteristic summed from components equals V - E + F.
+/// 3. The Euler characteristic summed from components equals V - E + F (V: vertices that a triangle uses).
+/// Components are numbered by falling area. A vertex that no triangle uses is allowed; `outgoing` of it is empty.
 class MeshTopology {
  public:
   /// Errors (bad_input): mesh-empty, mesh-index-out-of-range, mesh-degenerate-triangle, mesh-not-manifold (edge with
@@ -71,6 +72,10 @@ class MeshTopology {
   [[nodiscard]] Index component_of_triangle(Index triangle) const { return component_[static_cast<std::size_t>(triangle)]; }
 
  private:
+  Result<void> order_fans(const TriangleMesh& mesh);
+  void trace_loops(const TriangleMesh& mesh);
+  void count_handles();
+
   Index vertex_count_ = 0;
   Index edge_count_ = 0;
   std::vector<Index> opposite_, edge_, edge_halfedge_, outgoing_start_, outgoing_, component_;

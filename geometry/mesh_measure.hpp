@@ -14,11 +14,11 @@ std::vector<Vec3> triangle_normals(const TriangleMesh& mesh);
 /// Unit normal at each vertex: corner-angle weighted mean of the triangle normals.
 std::vector<Vec3> vertex_normals(const TriangleMesh& mesh);
 
-/// The curvature tensor of each triangle as a symmetric 3 x 3 matrix S in the part's axes with S n = 0: the normal curvature in
-/// the unit tangent direction d is d . S d, in 1/mm, POSITIVE where the surface is convex seen from outside
-/// (a ball of radius R seen from outside has +1/R). From the vertex normals' change along each edge (Rusinkiewicz 2004),
-/// averaged `rounds` times over vertex neighbours with area weights.
-/// Accuracy: on a sphere or cylinder of edge length e << R the error is O(e/R^2).
+/// The curvature tensor of each triangle as a symmetric 3 x 3 matrix S in the part's axes with S n = 0: the normal
+/// curvature in the unit tangent direction d is d . S d, in 1/mm, POSITIVE where the surface is convex seen from
+/// outside (a ball of radius R seen from outside has +1/R). From the vertex normals' change along each edge
+/// (Rusinkiewicz 2004), averaged `rounds` times over vertex neighbours with area weights. Accuracy: on a sphere or
+/// cylinder of edge length e << R the error is O(e/R^2).
 std::vector<Mat3> triangle_curvature(const TriangleMesh& mesh, int rounds = 6);
 
 struct PrincipalCurvature {

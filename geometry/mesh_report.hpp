@@ -20,7 +20,8 @@ struct MeshReport {
   Index obtuse_triangles = 0;
   MeshRepairs repairs;
   bool machinable = false;
-  std::string reason_code;  ///< "" when machinable, else: mesh-not-manifold, mesh-several-components, mesh-handles, mesh-no-boundary
+  std::string reason_code;  ///< "" when machinable, else: mesh-not-manifold, mesh-several-components, mesh-handles,
+                            ///< mesh-no-boundary
   std::string reason;       ///< one line with the remedy
 };
 

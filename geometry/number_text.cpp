@@ -13,9 +13,7 @@ namespace {
 /// Room for every double in fixed notation with 12 decimals: 309 + 1 + 12 + sign.
 constexpr std::size_t text_room = 400;
 
-bool shows_only_zeros(std::string_view text) {
-  return text.find_first_not_of("-0.") == std::string_view::npos;
-}
+bool shows_only_zeros(std::string_view text) { return text.find_first_not_of("-0.") == std::string_view::npos; }
 
 template <class Number>
 std::optional<Number> parse_whole(std::string_view text) {
@@ -41,7 +39,8 @@ std::optional<std::int64_t> parse_integer(std::string_view text) { return parse_
 void append_fixed(std::string& out, double value, int decimals) {
   VOLUTE_CHECK(std::isfinite(value) && decimals >= 0 && decimals <= 12, value, decimals);
   std::array<char, text_room> room;
-  const auto [end, status] = std::to_chars(room.data(), room.data() + room.size(), value, std::chars_format::fixed, decimals);
+  const auto [end, status] =
+      std::to_chars(room.data(), room.data() + room.size(), value, std::chars_format::fixed, decimals);
   VOLUTE_CHECK(status == std::errc{}, value);
   std::string_view text(room.data(), static_cast<std::size_t>(end - room.data()));
   if (text.front() == '-' && shows_only_zeros(text)) text.remove_prefix(1);
