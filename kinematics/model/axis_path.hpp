@@ -14,7 +14,7 @@ struct AxisPathPoint {
   ToolPose pose;                      ///< the pose that q reaches, in P
   MoveKind move = MoveKind::cut;
   double feed_mm_s = 0.0;
-  std::int32_t source = -1;           ///< index of the tool path's point; -1: put in between (linearization, rewind)
+  std::int32_t source = -1;  ///< index of the tool path's point; -1: put in between (linearization, rewind)
 };
 
 struct AxisPath {

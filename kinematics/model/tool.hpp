@@ -30,10 +30,10 @@ struct Tool {
   std::string name = "tool";
   int number = 1;
   Cutter cutter;
-  double shank_radius_mm = 3.0;        ///< from the end of the flutes to the holder
-  double stick_out_mm = 40.0;          ///< tip to holder face
-  std::vector<ConeSegment> holder;     ///< stacked, the first one starts at stick_out_mm
-  double gauge_length_mm = 100.0;      ///< tip to the spindle's gauge line: what the control calls the tool length
+  double shank_radius_mm = 3.0;     ///< from the end of the flutes to the holder
+  double stick_out_mm = 40.0;       ///< tip to holder face
+  std::vector<ConeSegment> holder;  ///< stacked, the first one starts at stick_out_mm
+  double gauge_length_mm = 100.0;   ///< tip to the spindle's gauge line: what the control calls the tool length
 };
 
 /// Errors (bad_input), naming the TOML key: tool-radius, tool-corner-radius, tool-length, tool-stick-out, tool-holder.
@@ -43,11 +43,15 @@ geometry::Result<Cutter> parse_cutter(std::string_view spec);
 
 /// The half section of cutter, shank and holder: points (z, radius) with z rising from the tip, exact for cones and
 /// inscribed-free for arcs (the polyline never lies inside the true profile and is at most `tolerance_mm` outside it).
-struct ProfilePoint { double z_mm = 0.0, radius_mm = 0.0; };
+/// The first point is the tip (0, 0), the last one lies on the rim of the top, which is left open. Requires:
+/// tolerance_mm > 0.
+struct ProfilePoint {
+  double z_mm = 0.0, radius_mm = 0.0;
+};
 std::vector<ProfilePoint> cutter_profile(const Cutter& cutter, double tolerance_mm);
 std::vector<ProfilePoint> assembly_profile(const Tool& tool, double tolerance_mm);
 
-/// Radius of the cutter's envelope at height z above the tip (exact); nothing outside [0, length].
+/// Radius of the cutter's envelope at height z above the tip (exact); 0 outside [0, length], where there is no cutter.
 double cutter_radius_at(const Cutter& cutter, double z_mm);
 
 }  // namespace volute::kinematics
