@@ -1,0 +1,160 @@
+// volute simulate: anybody's program on the virtual machine; with --compare a second one beside it.
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/exit_status.hpp"
+#include "app/job.hpp"
+#include "app/output_folder.hpp"
+#include "app/report.hpp"
+#include "app/run_table.hpp"
+#include "geometry/file.hpp"
+#include "geometry/mesh_io.hpp"
+#include "geometry/number_text.hpp"
+#include "sim/verify.hpp"
+#include "view/run_view.hpp"
+
+namespace volute::app {
+
+namespace {
+
+using geometry::Result;
+
+/// What both programs of a comparison share.
+struct Bench {
+  kinematics::Profile profile;
+  kinematics::Setup setup;
+  kinematics::Tool tool;
+  bool cutter_known = false;
+  std::optional<geometry::TriangleMesh> surface;
+  double scallop_mm = 0.1;
+};
+
+struct Simulated {
+  std::string text;
+  sim::VerifyResult result;
+  Json report;
+};
+
+Result<Bench> set_up(const SimulateArguments& arguments, Context& context) {
+  Bench bench;
+  auto profile = kinematics::load_profile(context.machines_folder(), arguments.machine);
+  if (!profile) return tl::unexpected(profile.error());
+  bench.profile = std::move(*profile);
+  const auto setup = parse_setup(arguments.setup);
+  if (!setup) return tl::unexpected(setup.error());
+  bench.setup = *setup;
+  bench.scallop_mm = arguments.scallop_mm;
+  bench.tool.gauge_length_mm = arguments.tool_length_mm;
+  if (!arguments.cutter.empty()) {
+    const auto cutter = kinematics::parse_cutter(arguments.cutter);
+    if (!cutter) return tl::unexpected(cutter.error());
+    bench.tool.cutter = *cutter;
+    bench.tool.shank_radius_mm = cutter->radius_mm;
+    bench.tool.stick_out_mm = std::max(bench.tool.stick_out_mm, cutter->length_mm);
+    bench.cutter_known = true;
+  }
+  if (!arguments.part.empty()) {
+    auto loaded = geometry::load_mesh(arguments.part);
+    if (!loaded) return tl::unexpected(loaded.error());
+    context.warn(loaded->repairs.warnings);
+    bench.surface = std::move(loaded->mesh);
+  }
+  return bench;
+}
+
+Result<Simulated> simulate_one(const path& program, const Bench& bench, Context& context) {
+  auto bytes = geometry::read_file(program);
+  if (!bytes) return tl::unexpected(bytes.error());
+  sim::VerifyRequest request;
+  request.text = std::move(*bytes);
+  request.file_name = program.string();
+  request.profile = bench.profile;
+  request.setup = bench.setup;
+  request.tool = bench.tool;
+  if (bench.cutter_known) request.surface_P = bench.surface;
+  request.cut.uncut_limit_mm = bench.scallop_mm;
+  request.progress = context.progress().callback();
+  auto result = sim::verify(request);
+  if (!result) return tl::unexpected(result.error());
+  context.warn(result->run.warnings);
+  Simulated simulated{std::move(request.text), std::move(*result), {}};
+  simulated.report["program"] = {{"file", program.filename().string()},
+                                 {"dialect", bench.profile.control.name},
+                                 {"profile", bench.profile.name},
+                                 {"blocks", simulated.result.run.blocks},
+                                 {"bytes", simulated.text.size()}};
+  simulated.report.update(verify_json(simulated.result, bench.profile, 0));
+  if (simulated.report.contains("collision")) simulated.report["collision"].erase("planner_hits");
+  return simulated;
+}
+
+view::RunView view_of(const path& program, const Bench& bench, const Simulated& simulated) {
+  view::RunView view;
+  view.title = program.filename().string() + " on " + bench.profile.name;
+  if (bench.surface) view.surface_P = *bench.surface;
+  view.tool = bench.tool;
+  view.setup = bench.setup;
+  view.profile = bench.profile;
+  view.trace = simulated.result.trace;
+  view.cut = simulated.result.cut;
+  view.findings = simulated.result.findings;
+  view.report_json = simulated.report.dump(2);
+  view.program_name = program.filename().string();
+  view.program_text = simulated.text;
+  return view;
+}
+
+Result<std::vector<std::string>> write_results(const path& program, const Bench& bench, const Simulated& simulated, const OutputFolder& out) {
+  const view::RunView view = view_of(program, bench, simulated);
+  if (auto written = out.write("report.json", view.report_json + "\n"); !written) return tl::unexpected(written.error());
+  if (auto saved = view::save_view(view, out.folder()); !saved) return tl::unexpected(saved.error());
+  auto pictures = view::write_pictures(view, out.folder());
+  if (!pictures) return pictures;
+  if (auto page = view::write_report_html(view, out.file("report.html")); !page) return tl::unexpected(page.error());
+  return pictures;
+}
+
+std::string comparison_table(const Json& first, const Json& second) {
+  const auto row = [&](const std::string& name, const char* key, int decimals) {
+    const double a = first["run"][key].get<double>();
+    const double b = second["run"][key].get<double>();
+    return table_row(name, geometry::fixed_text(a, decimals) + "   " + geometry::fixed_text(b, decimals) + "   (" +
+                               geometry::fixed_text(a != 0.0 ? 100.0 * (b - a) / a : 0.0, 2) + " %)");
+  };
+  return table_row("", first["program"]["file"].get<std::string>() + "   " + second["program"]["file"].get<std::string>()) +
+         row("cycle time, s", "cycle_time_s", 3) + row("actual feed, mm/min", "actual_feed_mm_min", 1) + row("loss, %", "feed_loss_percent", 2);
+}
+
+Result<int> simulate(const SimulateArguments& arguments, Context& context) {
+  if (!arguments.part.empty() && arguments.cutter.empty())
+    return geometry::bad_input("cutter-missing", "--part is given without --cutter: say which cutter the program is for, as in --cutter ball,3");
+  const auto bench = set_up(arguments, context);
+  if (!bench) return tl::unexpected(bench.error());
+  const auto first = simulate_one(arguments.program, *bench, context);
+  if (!first) return tl::unexpected(first.error());
+  const auto out = OutputFolder::make(arguments.out.empty() ? path(arguments.program.stem().string() + "-simulation") : arguments.out);
+  if (!out) return tl::unexpected(out.error());
+  const auto pictures = write_results(arguments.program, *bench, *first, *out);
+  if (!pictures) return tl::unexpected(pictures.error());
+  bool found = !first->result.findings.empty();
+  Json json = first->report;
+  std::string text = run_table(first->report, out->folder(), *pictures);
+  if (!arguments.compare.empty()) {
+    const auto second = simulate_one(arguments.compare, *bench, context);
+    if (!second) return tl::unexpected(second.error());
+    found = found || !second->result.findings.empty();
+    json = Json{{"programs", Json::array({first->report, second->report})}};
+    text += "\n" + comparison_table(first->report, second->report);
+  }
+  context.print(json, text);
+  return found ? exit_found : exit_clean;
+}
+
+}  // namespace
+
+int simulate_command(const SimulateArguments& arguments, Context& context) {
+  const auto status = simulate(arguments, context);
+  return status ? *status : context.fail(status.error());
+}
+
+}  // namespace volute::app

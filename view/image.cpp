@@ -1,0 +1,44 @@
+#include "view/image.hpp"
+
+#include <cairo.h>
+
+#include "geometry/check.hpp"
+
+namespace volute::view {
+
+Image reduced(const Image& large, int factor) {
+  VOLUTE_CHECK(factor > 0 && large.width % factor == 0 && large.height % factor == 0, large.width, large.height, factor);
+  Image small{large.width / factor, large.height / factor, {}};
+  small.bgra.resize(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height) * 4);
+  const auto stride = static_cast<std::size_t>(large.width) * 4;
+  const unsigned count = static_cast<unsigned>(factor * factor);
+  std::size_t out = 0;
+  for (int y = 0; y < small.height; ++y)
+    for (int x = 0; x < small.width; ++x) {
+      std::array<unsigned, 4> sum{};
+      for (int dy = 0; dy < factor; ++dy) {
+        const std::uint8_t* pixel = &large.bgra[static_cast<std::size_t>(y * factor + dy) * stride + static_cast<std::size_t>(x * factor) * 4];
+        for (int dx = 0; dx < factor * 4; ++dx) sum[static_cast<std::size_t>(dx % 4)] += pixel[dx];
+      }
+      for (const unsigned channel : sum) small.bgra[out++] = static_cast<std::uint8_t>((channel + count / 2) / count);
+    }
+  return small;
+}
+
+std::string png_bytes(const Image& image) {
+  std::vector<std::uint8_t> pixels = image.bgra;
+  const int stride = cairo_format_stride_for_width(CAIRO_FORMAT_RGB24, image.width);
+  VOLUTE_CHECK(stride == image.width * 4, stride, image.width);
+  cairo_surface_t* surface = cairo_image_surface_create_for_data(pixels.data(), CAIRO_FORMAT_RGB24, image.width, image.height, stride);
+  std::string bytes;
+  const auto append = [](void* out, const unsigned char* data, unsigned length) {
+    static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(data), length);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  const cairo_status_t status = cairo_surface_write_to_png_stream(surface, append, &bytes);
+  cairo_surface_destroy(surface);
+  VOLUTE_CHECK(status == CAIRO_STATUS_SUCCESS, cairo_status_to_string(status));
+  return bytes;
+}
+
+}  // namespace volute::view
