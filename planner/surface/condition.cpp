@@ -196,6 +196,12 @@ Result<std::vector<std::array<Index, 2>>> split_chords(TriangleMesh& mesh) {
   }
 }
 
+Result<Index> flip_to_delaunay(TriangleMesh& mesh, const ConditionOptions& options) {
+  const auto topology = MeshTopology::build(mesh);
+  if (!topology) return tl::unexpected(topology.error());
+  return FlipMesh(mesh, *topology, options).flip_to_delaunay();
+}
+
 Result<ConditionedMesh> condition(const TriangleMesh& surface, const ConditionOptions& options) {
   ConditionedMesh result;
   result.mesh = surface;

@@ -36,6 +36,9 @@ struct ConditionedMesh {
 /// 3. The same input gives the same triangles.
 Result<ConditionedMesh> condition(const TriangleMesh& surface, const ConditionOptions& options = {});
 
+/// The flips alone; returns how many. Guards and errors as condition().
+Result<Index> flip_to_delaunay(TriangleMesh& mesh, const ConditionOptions& options = {});
+
 /// Halves every inner edge that joins two vertices of one boundary loop, until none is left: an ear (triangle with its
 /// three vertices on one loop) would otherwise have no room in a map whose boundary is fixed, and a harmonic field no
 /// gradient there. Returns for each new vertex, in order of their numbers, the two ends of the edge that it halved.
