@@ -1,0 +1,57 @@
+// The pictures of a run as a table of contents: each is written if the view has what it needs.
+#include "view/run_view.hpp"
+
+#include <functional>
+
+#include "geometry/file.hpp"
+#include "view/axis_plots.hpp"
+#include "view/pictures.hpp"
+
+namespace volute::view {
+
+namespace {
+
+/// One picture: its name, whether the view has data for it, and its bytes.
+struct PictureMaker {
+  const char* name;
+  bool possible;
+  std::function<Result<std::string>()> bytes;
+};
+
+std::function<Result<std::string>()> png(const RunView& view, Result<Image> (*draw)(const RunView&)) {
+  return [&view, draw]() -> Result<std::string> {
+    const auto image = draw(view);
+    if (!image) return tl::unexpected(image.error());
+    return png_bytes(*image);
+  };
+}
+
+std::function<Result<std::string>()> svg(const RunView& view, Plot (*draw)(const RunView&)) {
+  return [&view, draw]() -> Result<std::string> { return svg_text(draw(view)); };
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> write_pictures(const RunView& view, const std::filesystem::path& folder) {
+  const bool surface = !view.surface_P.triangles.empty();
+  const bool trace = view.profile.has_value() && !view.trace.samples.empty();
+  const bool deviation = surface && view.cut && view.cut->vertex_deviation_mm.size() == view.surface_P.vertices_mm.size();
+  const std::vector<PictureMaker> makers{
+      {"path.png", surface || trace, png(view, path_picture)},
+      {"machined.png", deviation, png(view, machined_picture)},
+      {"rotary-axes.svg", trace, svg(view, rotary_plot)},
+      {"linear-axes.svg", trace, svg(view, linear_plot)},
+      {"feed.svg", trace, svg(view, feed_plot)},
+  };
+  std::vector<std::string> written;
+  for (const PictureMaker& maker : makers) {
+    if (!maker.possible) continue;
+    const auto bytes = maker.bytes();
+    if (!bytes) return tl::unexpected(bytes.error());
+    if (auto stored = geometry::write_file(folder / maker.name, *bytes); !stored) return tl::unexpected(stored.error());
+    written.emplace_back(maker.name);
+  }
+  return written;
+}
+
+}  // namespace volute::view
