@@ -1,0 +1,238 @@
+#include "sim/interpreter/motion_state.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace volute::sim {
+
+namespace {
+constexpr double rad_per_deg = std::numbers::pi / 180.0;
+constexpr double seconds_per_minute = 60.0;
+/// Words that differ by less name the same position: far below the last digit of any control (1e-6 mm).
+constexpr double same_position_mm = 1e-9;
+
+bool has(unsigned mask, std::size_t bit) { return ((mask >> bit) & 1U) != 0; }
+}  // namespace
+
+MotionState::MotionState(const kinematics::Machine& machine, const kinematics::Control& control, Diagnosis& diagnosis)
+    : diagnosis_(diagnosis), shortest_way_(control.rotary_shortest_way) {
+  rotary_letters_ = {machine.axes[3].letter, machine.axes[4].letter};
+}
+
+int MotionState::rotary_of(char letter) const {
+  if (letter == rotary_letters_[0]) return 0;
+  return letter == rotary_letters_[1] ? 1 : -1;
+}
+
+char MotionState::rotary_letter(int rotary) const { return rotary_letters_[static_cast<std::size_t>(rotary)]; }
+
+void MotionState::set_feed_mode(FeedMode mode) {
+  // Every control wants a new F after the meaning of F has changed.
+  if (mode != standing.feed_mode) feed_number = 0.0;
+  standing.feed_mode = mode;
+}
+
+void MotionState::set_tcp(bool on) {
+  // The same axes have other coordinates now; words that follow start from where the machine really stands.
+  if (standing.tcp != on) forget_linear();
+  standing.tcp = on;
+}
+
+void MotionState::set_tool_length(bool active) {
+  if (standing.tool_length_active != active) forget_linear();
+  standing.tool_length_active = active;
+}
+
+std::optional<double> MotionState::linear_mm(int axis) const {
+  const auto i = static_cast<std::size_t>(axis);
+  return known_[i] ? std::optional<double>(position_mm_[axis]) : std::nullopt;
+}
+
+std::optional<double> MotionState::rotary_rad(int axis) const {
+  const auto i = static_cast<std::size_t>(axis);
+  return rotary_known_[i] ? std::optional<double>(rotary_[i]) : std::nullopt;
+}
+
+std::optional<double> MotionState::program_linear_mm(int axis) const {
+  if (tilt) {
+    if (!known_[0] || !known_[1] || !known_[2]) return std::nullopt;
+    return (tilt->inverse() * position_mm_)[axis];
+  }
+  const auto setup = linear_mm(axis);
+  return setup ? std::optional<double>(*setup - shift.linear_mm[axis]) : std::nullopt;
+}
+
+std::optional<double> MotionState::program_rotary_rad(int axis) const {
+  const auto setup = rotary_rad(axis);
+  return setup ? std::optional<double>(*setup - shift.rotary_rad[static_cast<std::size_t>(axis)]) : std::nullopt;
+}
+
+MotionBlock MotionState::begin(MotionKind kind) const {
+  MotionBlock out = standing;
+  out.kind = kind;
+  return out;
+}
+
+void MotionState::place_machine(const MoveWords& words, MotionBlock& out) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    out.xyz_programmed[i] = has(words.linear, i);
+    if (!out.xyz_programmed[i]) continue;
+    out.xyz_mm[static_cast<Eigen::Index>(i)] = words.linear_mm[i];
+    out.xyz_known[i] = true;
+    known_[i] = work_zero_machine_mm && !standing.tool_length_active;
+    if (known_[i])
+      position_mm_[static_cast<Eigen::Index>(i)] =
+          words.linear_mm[i] - (*work_zero_machine_mm)[static_cast<Eigen::Index>(i)];
+  }
+  if (standing.tcp) forget_linear();
+}
+
+bool MotionState::place_linear(const MoveWords& words, MotionBlock& out) {
+  bool moves = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    if (has(words.linear, i)) {
+      out.xyz_programmed[i] = true;
+      const double value = words.linear_mm[i];
+      if (!has(words.linear_incremental, i)) {
+        const double target = value + shift.linear_mm[axis];
+        moves = moves || !known_[i] || std::abs(target - position_mm_[axis]) > same_position_mm;
+        position_mm_[axis] = target;
+        known_[i] = true;
+      } else {
+        moves = moves || std::abs(value) > same_position_mm;
+        position_mm_[axis] += value;
+        out.xyz_relative[i] = !known_[i];
+      }
+      out.xyz_mm[axis] = out.xyz_relative[i] ? value : position_mm_[axis];
+    } else {
+      out.xyz_mm[axis] = position_mm_[axis];
+    }
+    out.xyz_known[i] = known_[i];
+  }
+  return moves;
+}
+
+bool MotionState::place_tilted(const MoveWords& words, std::size_t column, MotionBlock& out) {
+  Vec3 target = Vec3::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    const bool absolute = has(words.linear, i) && !has(words.linear_incremental, i);
+    const auto now = program_linear_mm(axis);
+    if (!absolute && !now)
+      return diagnosis_.fault(column, "program-position-unknown",
+                              "in a tilted plane the position before this block must be known; name X, Y and Z in its "
+                              "first motion");
+    target[axis] = absolute ? words.linear_mm[i] : *now + (has(words.linear, i) ? words.linear_mm[i] : 0.0);
+    out.xyz_programmed[i] = true;
+    out.xyz_known[i] = true;
+  }
+  position_mm_ = *tilt * target;
+  known_ = {true, true, true};
+  out.xyz_mm = position_mm_;
+  return true;
+}
+
+void MotionState::place_rotary(const MoveWords& words, MotionBlock& out) {
+  if (words.axis_vector) {
+    out.axis_vector = words.axis_vector;
+    rotary_known_ = {};
+    return;
+  }
+  const bool shortest = (shortest_way_ || words.rotary_shortest) && !words.machine_coordinates;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (has(words.rotary, i)) {
+      out.rotary_programmed[i] = true;
+      if (!has(words.rotary_incremental, i)) {
+        const double move_shift = words.machine_coordinates ? 0.0 : shift.rotary_rad[i];
+        rotary_[i] = words.rotary_rad[i] + move_shift;
+        out.rotary_rad[i] = rotary_[i];
+        out.rotary_known[i] = true;
+        // By the short way the turn that is reached depends on where the axis stood.
+        rotary_known_[i] = !shortest;
+        out.rotary_shortest = shortest;
+        continue;
+      }
+      rotary_[i] += words.rotary_rad[i];
+      out.rotary_relative[i] = !rotary_known_[i];
+      out.rotary_rad[i] = out.rotary_relative[i] ? words.rotary_rad[i] : rotary_[i];
+    } else {
+      out.rotary_rad[i] = rotary_[i];
+    }
+    out.rotary_known[i] = rotary_known_[i];
+  }
+}
+
+bool MotionState::place_feed(std::size_t column, MotionBlock& out) {
+  if (out.kind == MotionKind::rapid) return true;
+  if (feed_number <= 0.0)
+    return diagnosis_.fault(
+        column, "program-no-feed",
+        out.feed_mode == FeedMode::inverse_time
+            ? "a feed motion under inverse time (G93) needs its own F; write F = 1/minutes in this block"
+            : "a feed motion while the feed is 0; write F in this block or before it");
+  switch (out.feed_mode) {
+    case FeedMode::per_minute:
+      out.feed = feed_number / seconds_per_minute * (out.rotary_only ? rad_per_deg : feed_unit_mm);
+      break;
+    case FeedMode::inverse_time:
+      out.feed = feed_number / seconds_per_minute;
+      break;
+    case FeedMode::per_revolution:
+      out.feed = feed_number * feed_unit_mm;
+      break;
+  }
+  return true;
+}
+
+bool MotionState::line(MotionKind kind, const MoveWords& words, std::size_t column, MotionBlock& out) {
+  out = begin(kind);
+  bool moves_linear = words.linear != 0;
+  if (words.machine_coordinates) {
+    out.machine_coordinates = true;
+    out.tcp = false;
+    place_machine(words, out);
+  } else if (tilt && words.linear != 0) {
+    if (!place_tilted(words, column, out)) return false;
+  } else {
+    moves_linear = place_linear(words, out);
+  }
+  place_rotary(words, out);
+  out.rotary_only = !moves_linear && (words.rotary != 0 || words.axis_vector);
+  return place_feed(column, out);
+}
+
+bool MotionState::arc(const MoveWords& words, const ArcWords& arc, MotionBlock& out) {
+  out = begin(MotionKind::arc);
+  if (tilt)
+    return diagnosis_.fault(arc.column, "program-arc-tilted",
+                            "arcs in a tilted plane are not read; post lines instead");
+  const Vec3 start = position_mm_;
+  const int normal = plane == Plane::xy ? 2 : plane == Plane::zx ? 1 : 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis != normal && !known_[static_cast<std::size_t>(axis)])
+      return diagnosis_.fault(
+          arc.column, "program-position-unknown",
+          std::string("an arc needs to know where it starts, and the program has not said it for ") + "XYZ"[axis] +
+              "; move that axis to a position first");
+  }
+  place_linear(words, out);
+  place_rotary(words, out);
+  return arc_geometry(arc, start, out) && place_feed(arc.column, out);
+}
+
+MotionBlock MotionState::dwell(double seconds) {
+  MotionBlock out = stop();
+  out.kind = MotionKind::dwell;
+  out.dwell_s = seconds;
+  return out;
+}
+
+MotionBlock MotionState::stop() {
+  MotionBlock out = begin(MotionKind::stop);
+  place_linear({}, out);
+  place_rotary({}, out);
+  return out;
+}
+
+}  // namespace volute::sim

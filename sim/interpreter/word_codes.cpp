@@ -1,0 +1,402 @@
+// What the G and M codes of word-address programs mean.
+#include <algorithm>
+#include <string>
+
+#include "geometry/number_text.hpp"
+#include "sim/interpreter/word_program.hpp"
+
+namespace volute::sim {
+
+namespace {
+
+/// Modal groups, one bit each: two codes of one group contradict each other.
+enum Group : int {
+  group_motion = 0,
+  group_plane,
+  group_distance,
+  group_arc_distance,
+  group_feed,
+  group_units,
+  group_compensation,
+  group_length,
+  group_return,
+  group_offset,
+  group_path,
+  group_one_shot,
+  group_spindle,
+  group_smoothing,
+  group_tilt
+};
+
+std::string name_of(char letter, int tenths) {
+  std::string text = letter + std::to_string(tenths / 10);
+  if (tenths % 10 != 0) text += "." + std::to_string(tenths % 10);
+  return text;
+}
+
+}  // namespace
+
+bool WordProgram::set_group(Code code, int group) {
+  const std::uint32_t bit = 1U << static_cast<unsigned>(group);
+  // Fanuc and its relatives take the last code of a group; LinuxCNC refuses the block.
+  if ((plan_.groups & bit) != 0 && linuxcnc_)
+    return fault(code.column, "program-syntax",
+                 name_of('G', code.tenths) + " contradicts another G code of the same group in this block");
+  plan_.groups |= bit;
+  return true;
+}
+
+bool WordProgram::apply_g(Code code) {
+  const auto move = [&](MotionMode mode) {
+    mode_ = mode;
+    plan_.motion_named = true;
+    plan_.motion_column = code.column;
+    return set_group(code, group_motion);
+  };
+  switch (code.tenths) {
+    case 0:
+      return move(MotionMode::rapid);
+    case 10:
+      return move(MotionMode::line);
+    case 20:
+      return move(MotionMode::clockwise);
+    case 30:
+      return move(MotionMode::counter_clockwise);
+    case 800:
+      return move(MotionMode::none);
+    case 40:
+      return one_shot(code, OneShot::dwell);
+    case 100:
+      return one_shot(code, OneShot::set_data);
+    case 280:
+      return one_shot(code, OneShot::reference);
+    case 300:
+      return one_shot(code, OneShot::second_reference);
+    case 520:
+      return one_shot(code, OneShot::local_shift);
+    case 530:
+      return one_shot(code, OneShot::machine_coordinates);
+    case 920:
+      return one_shot(code, OneShot::shift_position);
+    default:
+      return apply_mode(code);
+  }
+}
+
+bool WordProgram::one_shot(Code code, OneShot what) {
+  if (!set_group(code, group_one_shot)) return false;
+  if (plan_.one_shot != OneShot::none)
+    return fault(code.column, "program-syntax",
+                 name_of('G', code.tenths) + " cannot stand with another one-shot G code");
+  plan_.one_shot = what;
+  plan_.column = code.column;
+  return true;
+}
+
+bool WordProgram::apply_mode(Code code) {
+  const auto plane = [&](Plane which) {
+    state_.plane = which;
+    return set_group(code, group_plane);
+  };
+  const auto feed = [&](FeedMode mode) {
+    state_.set_feed_mode(mode);
+    return set_group(code, group_feed);
+  };
+  switch (code.tenths) {
+    case 170:
+      return plane(Plane::xy);
+    case 180:
+      return plane(Plane::zx);
+    case 190:
+      return plane(Plane::yz);
+    case 200:
+      state_.inches = true;
+      return set_group(code, group_units);
+    case 210:
+      state_.inches = false;
+      return set_group(code, group_units);
+    case 900:
+      state_.incremental = false;
+      return set_group(code, group_distance);
+    case 910:
+      state_.incremental = true;
+      return set_group(code, group_distance);
+    case 930:
+      return feed(FeedMode::inverse_time);
+    case 940:
+      return feed(FeedMode::per_minute);
+    case 950:
+      return feed(FeedMode::per_revolution);
+    case 400:
+      return set_group(code, group_compensation);
+    case 690:
+      return linuxcnc_ ? refuse_g(code) : set_group(code, group_tilt);
+    case 970:
+      return set_group(code, group_spindle);
+    case 980:
+    case 990:
+      return set_group(code, group_return);
+    case 901:
+    case 911:
+      if (!linuxcnc_) return refuse_g(code);
+      arc_centre_absolute_ = code.tenths == 901;
+      return set_group(code, group_arc_distance);
+    default:
+      break;
+  }
+  if (code.tenths >= 540 && code.tenths <= 593) {
+    if (code.tenths == 541 && !linuxcnc_) {
+      if (!block_.use('P')) return fault(code.column, "program-syntax", "G54.1 needs P, the number of the work offset");
+      return work_offset(code, 100 + static_cast<int>(block_.value('P')));
+    }
+    if (code.tenths % 10 == 0) return work_offset(code, code.tenths / 10 - 53);
+    if (code.tenths > 590 && linuxcnc_) return work_offset(code, code.tenths - 590 + 6);
+    return refuse_g(code);
+  }
+  return apply_length(code);
+}
+
+bool WordProgram::work_offset(Code code, int system) {
+  if (system != 1 && system != work_system_)
+    reading_.diagnosis.warn_once(
+        "work offset " + std::to_string(system),
+        name_of('G', code.tenths) +
+            ": no table of work offsets is known; its zero is taken to be the setup's program zero");
+  work_system_ = system;
+  update_shift();
+  return set_group(code, group_offset);
+}
+
+bool WordProgram::switch_tcp(Code code, bool on) {
+  if (on && !reading_.control.tcp)
+    return fault(code.column, "program-no-tcp",
+                 "the program switches TCP on, but this control has none; choose a profile whose control has it");
+  state_.set_tcp(on);
+  return true;
+}
+
+bool WordProgram::apply_length(Code code) {
+  using kinematics::DialectFamily;
+  const bool point_control = family_ == DialectFamily::fanuc || family_ == DialectFamily::mazak;
+  switch (code.tenths) {
+    case 430:
+      block_.use('H');
+      state_.set_tool_length(true);
+      return set_group(code, group_length);
+    case 434:
+    case 435:
+      if (!point_control) return refuse_g(code);
+      block_.use('H');
+      if (block_.use('P') && block_.value('P') != 0.0 && block_.value('P') != 1.0)
+        return fault(block_.column('P'), "program-word-range", "P of G43.4 and G43.5 is 0 or 1");
+      if (code.tenths == 435 && block_.use('Q') && block_.value('Q') != 0.0)
+        return fault(block_.column('Q'), "program-unknown-word",
+                     "an inclination angle Q with G43.5 is not read; use Q0");
+      vector_words_ = code.tenths == 435;
+      state_.set_tool_length(true);
+      return set_group(code, group_length) && switch_tcp(code, true);
+    case 2340:
+      if (family_ != DialectFamily::haas) return refuse_g(code);
+      block_.use('H');
+      state_.set_tool_length(true);
+      return set_group(code, group_length) && switch_tcp(code, true);
+    case 490:
+      block_.use('H');
+      vector_words_ = false;
+      state_.set_tool_length(false);
+      if (!linuxcnc_) state_.set_tcp(false);
+      return set_group(code, group_length);
+    default:
+      return apply_path_mode(code);
+  }
+}
+
+bool WordProgram::apply_path_mode(Code code) {
+  using kinematics::DialectFamily;
+  MotionBlock& standing = state_.standing;
+  const auto ask = [&](PathMode mode) {
+    standing.path_mode = mode;
+    return set_group(code, group_path);
+  };
+  switch (code.tenths) {
+    case 610:
+      return ask(linuxcnc_ ? PathMode::exact_path : PathMode::exact_stop);
+    case 611:
+      return linuxcnc_ ? ask(PathMode::exact_stop) : refuse_g(code);
+    case 640:
+      if (linuxcnc_) {
+        standing.path_tolerance_mm = block_.use('P') ? block_.value('P') * state_.unit_mm() : -1.0;
+        standing.naive_cam_tolerance_mm =
+            block_.use('Q') ? block_.value('Q') * state_.unit_mm() : standing.path_tolerance_mm;
+      }
+      return ask(PathMode::continuous);
+    case 90:
+      if (linuxcnc_) return refuse_g(code);
+      plan_.exact_stop = true;
+      return true;
+    case 51:
+      if (linuxcnc_ || family_ == DialectFamily::haas) return refuse_g(code);
+      if (!block_.use('Q')) return fault(code.column, "program-syntax", "G5.1 needs Q0 or Q1");
+      block_.use('R');
+      return set_group(code, group_smoothing);
+    case 50:
+      if (linuxcnc_ || family_ == DialectFamily::haas) return refuse_g(code);
+      if (!block_.use('P')) return fault(code.column, "program-syntax", "G5 needs P");
+      return set_group(code, group_smoothing);
+    case 1870:
+      if (family_ != DialectFamily::haas) return refuse_g(code);
+      block_.use('P');
+      standing.path_tolerance_mm = block_.use('E') ? block_.value('E') * state_.unit_mm() : -1.0;
+      return set_group(code, group_smoothing);
+    case 2550:
+      return family_ == DialectFamily::haas ? set_group(code, group_tilt) : refuse_g(code);
+    default:
+      return refuse_g(code);
+  }
+}
+
+bool WordProgram::refuse_g(Code code) {
+  struct Reason {
+    int tenths;
+    const char* text;
+  };
+  static constexpr std::array<Reason, 14> reasons{{
+      {410, "cutter radius compensation is not read: let the CAM system compensate"},
+      {420, "cutter radius compensation is not read: let the CAM system compensate"},
+      {411, "cutter radius compensation is not read: let the CAM system compensate"},
+      {421, "cutter radius compensation is not read: let the CAM system compensate"},
+      {330, "spindle-synchronized motion is not read"},
+      {331, "rigid tapping is not read"},
+      {382, "probing is not read: its path depends on what the probe meets"},
+      {650, "macro calls are not read: post the motions themselves"},
+      {660, "macro calls are not read: post the motions themselves"},
+      {680, "rotated coordinates are not read"},
+      {510, "scaling and mirroring are not read"},
+      {160, "polar coordinates are not read"},
+      {960, "constant surface speed belongs to turning and is not read"},
+      {2540, "dynamic work offsets (G254) depend on the machine's rotary zero table; post with TCP (G234)"},
+  }};
+  const auto* found =
+      std::find_if(reasons.begin(), reasons.end(), [&](const Reason& r) { return r.tenths == code.tenths; });
+  return fault(code.column, "program-unknown-code",
+               name_of('G', code.tenths) + ": " +
+                   (found != reasons.end() ? found->text : "this G code is not known to this control's dialect"));
+}
+
+bool WordProgram::tool_change(Code code) {
+  if (state_.standing.tcp)
+    return fault(code.column, "program-tool-change", "the tool is changed while TCP is on; switch TCP off first");
+  state_.standing.tool_number = tool_prepared_;
+  reading_.queue.push_back(state_.stop());
+  return true;
+}
+
+bool WordProgram::apply_m_before(Code code) {
+  const auto same = [&](const std::vector<int>& codes) {
+    return std::find(codes.begin(), codes.end(), code.tenths) != codes.end();
+  };
+  if (same(tcp_on_m_)) return switch_tcp(code, true);
+  if (same(tcp_off_m_)) return switch_tcp(code, false);
+  MotionBlock& standing = state_.standing;
+  switch (code.tenths) {
+    case 30:
+    case 40:
+      standing.spindle_on = true;
+      standing.spindle_reversed = code.tenths == 40;
+      return true;
+    case 60:
+      return tool_change(code);
+    case 50:
+    case 0:
+    case 10:
+    case 20:
+    case 300:
+    case 70:
+    case 80:
+    case 90:
+      return true;
+    case 190:
+      if (linuxcnc_) block_.use('R'), block_.use('Q');
+      standing.spindle_on = false;
+      return true;
+    case 980:
+    case 990:
+      if (!linuxcnc_) return true;
+      break;
+    default:
+      break;
+  }
+  bool known = false;
+  if (!machine_m(code, known)) return false;
+  if (known) return true;
+  return fault(code.column, "program-unknown-code",
+               name_of('M', code.tenths) + ": this M code is not known to this control");
+}
+
+bool WordProgram::machine_m(Code code, bool& known) {
+  const auto one_of = [&](std::initializer_list<int> codes) {
+    return std::find(codes.begin(), codes.end(), code.tenths) != codes.end();
+  };
+  if (!linuxcnc_) {
+    // Clamps of the rotary axes (M10 to M13) hold what stands still: they move nothing.
+    known = one_of({100, 110, 120, 130});
+    return true;
+  }
+  known = one_of({480, 490, 500, 510, 520, 530, 600, 610, 620, 630, 640, 650, 660, 670, 680});
+  if (!known) return true;
+  block_.use('P');
+  if (code.tenths == 610) {
+    if (!block_.use('Q'))
+      return fault(code.column, "program-syntax", "M61 needs Q, the number of the tool in the spindle");
+    state_.standing.tool_number = tool_prepared_ = static_cast<int>(std::clamp(block_.value('Q'), 0.0, 1e6));
+    return true;
+  }
+  if (code.tenths < 660) return true;
+  block_.use('E'), block_.use('L'), block_.use('Q');
+  if (code.tenths != 680) return true;
+  const std::array<double, 2> output{block_.value('E'), block_.value('Q')};
+  const auto is = [&](const auto& outputs) {
+    return std::find(outputs.begin(), outputs.end(), output) != outputs.end();
+  };
+  if (is(tcp_on_outputs_)) return switch_tcp(code, true);
+  return !is(tcp_off_outputs_) || switch_tcp(code, false);
+}
+
+bool WordProgram::apply_m_after(Code code) {
+  switch (code.tenths) {
+    case 50:
+      state_.standing.spindle_on = false;
+      return true;
+    case 0:
+      reading_.queue.push_back(state_.stop());
+      return true;
+    case 20:
+    case 300:
+      reading_.finished = true;
+      return true;
+    case 980: {
+      if (linuxcnc_) return true;
+      if (!block_.use('P')) return fault(code.column, "program-syntax", "M98 needs P, the number of the subprogram");
+      const double times = block_.use('L') ? block_.value('L') : 1.0;
+      if (!(block_.value('P') >= 0.0 && block_.value('P') < 1e12 && times >= 0.0 && times < 1e6))
+        return fault(code.column, "program-word-range", "P or L of M98 is out of range");
+      return subprograms_.call(code.column, static_cast<std::int64_t>(block_.value('P')),
+                               static_cast<std::int64_t>(times));
+    }
+    case 990: {
+      if (linuxcnc_) return true;
+      bool main = false;
+      if (!subprograms_.leave(main)) return false;
+      if (main) {
+        reading_.diagnosis.warn_once("M99 in main",
+                                     "M99 in the main program would start it again; it is taken as the end");
+        reading_.finished = true;
+      }
+      return true;
+    }
+    default:
+      return true;
+  }
+}
+
+}  // namespace volute::sim
