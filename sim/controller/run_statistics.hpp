@@ -1,0 +1,41 @@
+// What a run amounts to: times by cause, peaks, slow blocks, travel.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "sim/controller/control_run.hpp"
+#include "sim/controller/path_point.hpp"
+
+namespace volute::sim {
+
+class RunStatistics {
+ public:
+  RunStatistics(const kinematics::Machine& machine, double period_s);
+
+  void add_time(BlockInfo& block, Limit limit, int axis, double time_s);
+  void add_stop(double time_s) { stop_s_ += time_s; }
+  void add_dwell(double time_s) { dwell_s_ += time_s; }
+  /// All of the block's time has been added.
+  void end_block(const BlockInfo& block);
+  void add_sample(const AxisSample& sample, const AxisVector& following_error, const TipRates* tip_rates);
+  [[nodiscard]] RunReport report() const;
+
+ private:
+  void check_travel(const AxisSample& sample);
+
+  const kinematics::Machine& machine_;
+  double period_s_;
+  RunReport report_;
+  double programmed_s_ = 0.0;
+  double stop_s_ = 0.0, dwell_s_ = 0.0, rapid_s_ = 0.0;
+  std::array<double, 10> feed_limit_s_{};
+  double rotary_s_ = 0.0;
+  Eigen::Matrix<double, kinematics::axis_count, 1> velocity_, acceleration_, jerk_, error_, lowest_, highest_,
+      travel_min_, travel_max_;
+  std::array<bool, kinematics::axis_count> outside_{};
+  double contour_error_sq_ = 0.0;
+};
+
+}  // namespace volute::sim
