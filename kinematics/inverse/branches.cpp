@@ -1,0 +1,284 @@
+// Which branch every point takes: dynamic programming over two states a point.
+#include <algorithm>
+#include <limits>
+
+#include "geometry/number_text.hpp"
+#include "kinematics/inverse/path_steps.hpp"
+
+namespace volute::kinematics {
+
+using geometry::bad_input;
+using geometry::Result;
+using geometry::short_text;
+
+namespace {
+
+constexpr double impossible = std::numeric_limits<double>::infinity();
+// A reposition costs more than any motion of the rotaries over a path (s); so the fewest of them are taken.
+constexpr double reposition_cost_s = 1e6;
+
+double wrapped(double angle) { return std::remainder(angle, turn_rad); }
+
+std::string degrees(double rad) { return short_text(geometry::Angle::radians(rad).degrees()); }
+
+// Solutions are told apart by which way the rotary next to the tool turns from the pole, so a branch keeps its number
+// over a path.
+PointCandidates candidates_at(const PathProblem& problem, const Vec3& axis_P) {
+  PointCandidates point;
+  const std::vector<RotarySolution> solutions =
+      solve_rotaries(problem.machine, problem.setup.part_in_machine.linear() * axis_P);
+  for (std::size_t k = 0; k < solutions.size(); ++k) {
+    point.at_pole = solutions[k].at_pole;
+    point.rotary[k] = {solutions[k].first_rad, solutions[k].second_rad};
+    point.possible[k] = true;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const auto place = place_in_travel(problem.machine.axes[3 + axis], point.rotary[k][axis]);
+      point.possible[k] = point.possible[k] && place.has_value();
+      if (place) point.rotary[k][axis] = *place;
+    }
+  }
+  return point;
+}
+
+/// The two poles and how near to them a direction counts as one.
+struct Pole {
+  Vec3 direction_M;
+  double sine_max;
+};
+
+Pole pole_of(const PathProblem& problem) {
+  const Axis& by_workpiece = problem.machine.axes[static_cast<std::size_t>(3 + free_rotary(problem.machine))];
+  // Half of the tolerance is for leaning at the pole, the other half for what the control does between points.
+  return {by_workpiece.direction_M, std::sin(0.5 * problem.options.rotary_tolerance_rad)};
+}
+
+PointCandidates candidates_near_pole(const PathProblem& problem, const Pole& pole, const Vec3& axis_P) {
+  const Vec3 axis_M = problem.setup.part_in_machine.linear() * axis_P;
+  if (axis_M.cross(pole.direction_M).norm() > pole.sine_max) return candidates_at(problem, axis_P);
+  const double side = axis_M.dot(pole.direction_M) > 0.0 ? 1.0 : -1.0;
+  PointCandidates exact =
+      candidates_at(problem, problem.setup.part_in_machine.linear().transpose() * (side * pole.direction_M));
+  return exact.possible[0] ? exact : candidates_at(problem, axis_P);
+}
+
+std::string travel_message(const PathProblem& problem, std::size_t index) {
+  const Vec3 axis_M = problem.setup.part_in_machine.linear() * problem.path.points[index].pose.axis_P;
+  const std::string where = "CC point " + std::to_string(index) + ": ";
+  for (const RotarySolution& solution : solve_rotaries(problem.machine, axis_M))
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Axis& axis = problem.machine.axes[3 + k];
+      const double angle = k == 0 ? solution.first_rad : solution.second_rad;
+      if (place_in_travel(axis, angle)) continue;
+      return where + axis.letter + " = " + degrees(angle) + " deg is past [" + degrees(*axis.travel_min) + ", " +
+             degrees(*axis.travel_max) + "] of " + problem.machine.name + "; lower the tilt or turn the part";
+    }
+  return where + "no rotary positions are within travel of " + problem.machine.name +
+         "; lower the tilt or turn the part";
+}
+
+Result<std::vector<PointCandidates>> all_candidates(const PathProblem& problem) {
+  const Pole pole = pole_of(problem);
+  std::vector<PointCandidates> candidates;
+  candidates.reserve(problem.path.points.size());
+  for (std::size_t i = 0; i < problem.path.points.size(); ++i) {
+    const Vec3& axis_P = problem.path.points[i].pose.axis_P;
+    candidates.push_back(candidates_near_pole(problem, pole, axis_P));
+    if (candidates.back().possible[0] || candidates.back().possible[1]) continue;
+    if (solve_rotaries(problem.machine, problem.setup.part_in_machine.linear() * axis_P).empty())
+      return bad_input("pose-unreachable", "CC point " + std::to_string(i) + ": tool axis (" + short_text(axis_P.x()) +
+                                               ", " + short_text(axis_P.y()) + ", " + short_text(axis_P.z()) +
+                                               ") cannot be reached by " + problem.machine.name +
+                                               " at any rotary position; lower the tilt or turn the part");
+    return bad_input("axis-out-of-travel", travel_message(problem, i));
+  }
+  return candidates;
+}
+
+/// Motion from one pair of rotary positions to the other, each axis by its own way.
+Rotary2 motion(const Machine& machine, const Rotary2& from, const Rotary2& to) {
+  Rotary2 way{};
+  for (std::size_t k = 0; k < 2; ++k)
+    way[k] = is_wide(machine.axes[3 + k]) ? wrapped(to[k] - from[k]) : to[k] - from[k];
+  return way;
+}
+
+class BranchChoice {
+ public:
+  BranchChoice(const PathProblem& problem, const std::vector<PointCandidates>& candidates)
+      : problem_(problem), candidates_(candidates), pole_(pole_of(problem)), steps_(candidates.size()) {}
+
+  void run() {
+    cost_ = {impossible, impossible};
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      if (candidates_[i].at_pole) continue;
+      last_ ? step(*last_, i) : start(i);
+      last_ = i;
+    }
+  }
+
+  [[nodiscard]] std::vector<ChosenPoint> trace(AxisPathReport& report) const {
+    std::vector<ChosenPoint> chosen(candidates_.size());
+    if (last_) trace_branches(chosen, report);
+    unwrap(chosen);
+    fill_poles(chosen, report);
+    return chosen;
+  }
+
+ private:
+  enum class Way : std::uint8_t { same, through_pole, reposition_before, reposition_here };
+  struct Step {
+    std::array<std::int8_t, 2> from{};
+    std::array<Way, 2> way{};
+  };
+
+  void start(std::size_t i) {
+    const AxisVector q = problem_.options.start.value_or(AxisVector::Zero());
+    for (std::size_t j = 0; j < 2; ++j)
+      if (candidates_[i].possible[j])
+        cost_[j] = seconds(motion(problem_.machine, {q[3], q[4]}, candidates_[i].rotary[j]));
+  }
+
+  [[nodiscard]] double seconds(const Rotary2& way) const {
+    return std::abs(way[0]) / problem_.machine.axes[3].velocity_max +
+           std::abs(way[1]) / problem_.machine.axes[4].velocity_max;
+  }
+
+  // A small share of the motion through the pole makes the choice between equal ways the same on every machine.
+  [[nodiscard]] bool passes_pole(std::size_t before, std::size_t i) const {
+    if (before + 1 < i) return true;  // the points between stand at the pole
+    const Vec3& a = problem_.path.points[before].pose.axis_P;
+    const Vec3& b = problem_.path.points[i].pose.axis_P;
+    const Vec3 pole_P = problem_.setup.part_in_machine.linear().transpose() * pole_.direction_M;
+    const Vec3 a_across = a - a.dot(pole_P) * pole_P, b_across = b - b.dot(pole_P) * pole_P;
+    if (a_across.dot(b_across) >= 0.0 || a.dot(pole_P) * b.dot(pole_P) <= 0.0) return false;
+    const Vec3 chord = b_across - a_across;
+    return a_across.cross(chord).norm() <= pole_.sine_max * chord.norm();
+  }
+
+  [[nodiscard]] std::pair<double, Way> change_of_branch(std::size_t before, std::size_t i, std::size_t from,
+                                                        std::size_t to, bool through_pole) const {
+    const double turning =
+        seconds(motion(problem_.machine, candidates_[before].rotary[from], candidates_[i].rotary[to]));
+    if (through_pole) return {turning, Way::through_pole};
+    const bool before_pole_run = before + 1 < i;
+    if (candidates_[before].possible[to] && !before_pole_run)
+      return {reposition_cost_s + turning, Way::reposition_before};
+    if (candidates_[i].possible[from]) return {reposition_cost_s + turning, Way::reposition_here};
+    return {impossible, Way::same};
+  }
+
+  void step(std::size_t before, std::size_t i) {
+    const bool through_pole = passes_pole(before, i);
+    std::array<double, 2> cost = {impossible, impossible};
+    for (std::size_t j = 0; j < 2; ++j) {
+      if (!candidates_[i].possible[j]) continue;
+      const double stay =
+          cost_[j] == impossible
+              ? impossible
+              : cost_[j] + seconds(motion(problem_.machine, candidates_[before].rotary[j], candidates_[i].rotary[j]));
+      const std::size_t other = 1 - j;
+      auto [change, way] = change_of_branch(before, i, other, j, through_pole);
+      if (cost_[other] == impossible) change = impossible;
+      const bool stays = stay <= cost_[other] + change;
+      cost[j] = stays ? stay : cost_[other] + change;
+      steps_[i].from[j] = static_cast<std::int8_t>(stays ? j : other);
+      steps_[i].way[j] = stays ? Way::same : way;
+    }
+    cost_ = cost;
+  }
+
+  void trace_branches(std::vector<ChosenPoint>& chosen, AxisPathReport& report) const {
+    std::size_t branch = cost_[0] <= cost_[1] ? 0 : 1;
+    for (std::size_t i = *last_ + 1; i-- > 0;) {
+      if (candidates_[i].at_pole) continue;
+      chosen[i].branch = static_cast<std::int8_t>(branch);
+      chosen[i].rotary = candidates_[i].rotary[branch];
+      const Way way = steps_[i].way[branch];
+      chosen[i].reposition = way == Way::reposition_before || way == Way::reposition_here;
+      chosen[i].meet_here = way == Way::reposition_here;
+      report.pole_crossings += way == Way::through_pole ? 1 : 0;
+      branch = static_cast<std::size_t>(steps_[i].from[branch]);
+    }
+  }
+
+  // Wide axes count their turns on from the point before.
+  void unwrap(std::vector<ChosenPoint>& chosen) const {
+    const AxisVector q = problem_.options.start.value_or(AxisVector::Zero());
+    Rotary2 before = {q[3], q[4]};
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      if (candidates_[i].at_pole) continue;
+      const Rotary2 way = motion(problem_.machine, before, chosen[i].rotary);
+      for (std::size_t k = 0; k < 2; ++k)
+        if (is_wide(problem_.machine.axes[3 + k])) chosen[i].rotary[k] = before[k] + way[k];
+      before = chosen[i].rotary;
+    }
+  }
+
+  // At the pole the free rotary turns evenly from where it was to where it must be.
+  void fill_poles(std::vector<ChosenPoint>& chosen, AxisPathReport& report) const {
+    const std::size_t free = static_cast<std::size_t>(free_rotary(problem_.machine));
+    for (std::size_t begin = 0; begin < chosen.size();) {
+      std::size_t end = begin;
+      while (end < chosen.size() && candidates_[end].at_pole) ++end;
+      if (end > begin) fill_run(chosen, begin, end, free, report);
+      begin = end + 1;
+    }
+  }
+
+  void fill_run(std::vector<ChosenPoint>& chosen, std::size_t begin, std::size_t end, std::size_t free,
+                AxisPathReport& report) const {
+    const AxisVector q = problem_.options.start.value_or(AxisVector::Zero());
+    double from = q[static_cast<Eigen::Index>(3 + free)];
+    if (begin > 0) from = chosen[begin - 1].rotary[free];
+    const double to = end < chosen.size() ? chosen[end].rotary[free] : from;
+    if (begin == 0) from = to;
+    report.pole_crossings += begin > 0 && end < chosen.size() && chosen[begin - 1].branch == chosen[end].branch ? 1 : 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double share = static_cast<double>(i - begin + 1) / static_cast<double>(end - begin + 1);
+      chosen[i].rotary = candidates_[i].rotary[0];
+      chosen[i].rotary[free] = from + share * (to - from);
+      chosen[i].at_pole = true;
+    }
+    const std::size_t other = 1 - free;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!is_wide(problem_.machine.axes[3 + other])) continue;
+      const double near = i > 0                 ? chosen[i - 1].rotary[other]
+                          : end < chosen.size() ? chosen[end].rotary[other]
+                                                : chosen[i].rotary[other];
+      chosen[i].rotary[other] = near + wrapped(chosen[i].rotary[other] - near);
+    }
+  }
+
+  const PathProblem& problem_;
+  const std::vector<PointCandidates>& candidates_;
+  Pole pole_;
+  std::vector<Step> steps_;
+  std::array<double, 2> cost_{};
+  std::optional<std::size_t> last_;
+};
+
+}  // namespace
+
+std::optional<double> place_in_travel(const Axis& axis, double angle_rad) {
+  if (is_wide(axis)) return angle_rad;
+  const double middle = 0.5 * (*axis.travel_min + *axis.travel_max);
+  const double place = middle + wrapped(angle_rad - middle);
+  if (place >= *axis.travel_min && place <= *axis.travel_max) return place;
+  return std::nullopt;
+}
+
+int free_rotary(const Machine& machine) {
+  const auto third = std::find(machine.chain.begin(), machine.chain.end(), 3);
+  const auto fourth = std::find(machine.chain.begin(), machine.chain.end(), 4);
+  return third < fourth ? 0 : 1;
+}
+
+Result<std::vector<ChosenPoint>> choose_branches(const PathProblem& problem, AxisPathReport& report) {
+  const auto candidates = all_candidates(problem);
+  if (!candidates) return tl::unexpected(candidates.error());
+  BranchChoice choice(problem, *candidates);
+  choice.run();
+  return choice.trace(report);
+}
+
+}  // namespace volute::kinematics

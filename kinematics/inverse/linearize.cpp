@@ -1,0 +1,149 @@
+// Points put between neighbours where the control's own interpolation would leave the tolerance.
+//
+// Between two points the tool path means: the tip on the straight line, the tool axis on the great circle. A control
+// with TCP keeps the tip and moves the rotaries linearly; without TCP it moves every axis linearly, so the tip bows as
+// well.
+#include <algorithm>
+
+#include "kinematics/inverse/path_steps.hpp"
+
+namespace volute::kinematics {
+
+namespace {
+
+constexpr int depth_max = 24;          // halvings of one step: 1 m becomes 0.06 um
+constexpr double rapid_share = 100.0;  // rapids are in the air: without TCP they may bow this much more
+
+struct Deviation {
+  double tip_mm = 0.0, axis_rad = 0.0;
+};
+
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+double distance_to_segment(const Vec3& point, const Vec3& from, const Vec3& to) {
+  const Vec3 along = to - from;
+  const double length_sq = along.squaredNorm();
+  const double share = length_sq > 0.0 ? std::clamp((point - from).dot(along) / length_sq, 0.0, 1.0) : 0.0;
+  return (point - from - share * along).norm();
+}
+
+class Linearizer {
+ public:
+  Linearizer(const PathProblem& problem, AxisPathReport& report) : problem_(problem), report_(report) {}
+
+  AxisPath run(const AxisPath& rough) {
+    if (!rough.points.empty()) path_.points.push_back(rough.points.front());
+    for (std::size_t i = 1; i < rough.points.size(); ++i) connect(rough.points[i - 1], rough.points[i]);
+    return std::move(path_);
+  }
+
+ private:
+  void connect(const AxisPathPoint& from, const AxisPathPoint& to) {
+    const bool tip_is_kept = problem_.options.control_keeps_tip;
+    const bool exact = to.machine_move || from.machine_move ||
+                       (tip_is_kept && (problem_.options.great_circle || to.move == MoveKind::rapid));
+    if (exact) return path_.points.push_back(to);
+    tolerance_share_ = to.move == MoveKind::rapid ? rapid_share : 1.0;
+    const Deviation before = deviation(from, to);
+    if (to.move != MoveKind::rapid) {
+      report_.chordal_error_mm = std::max(report_.chordal_error_mm, before.tip_mm);
+      report_.rotary_error_rad = std::max(report_.rotary_error_rad, before.axis_rad);
+    }
+    divide(from, to, before, 0);
+  }
+
+  void divide(const AxisPathPoint& from, const AxisPathPoint& to, const Deviation& error, int depth) {
+    const bool within = error.tip_mm <= tolerance_share_ * problem_.options.chordal_tolerance_mm &&
+                        error.axis_rad <= tolerance_share_ * problem_.options.rotary_tolerance_rad;
+    const auto middle = within || depth == depth_max ? std::nullopt : between(from, to);
+    if (!middle) return finish(to, error);
+    ++report_.points_added;
+    divide(from, *middle, deviation(from, *middle), depth + 1);
+    divide(*middle, to, deviation(*middle, to), depth + 1);
+  }
+
+  void finish(const AxisPathPoint& to, const Deviation& error) {
+    path_.points.push_back(to);
+    if (to.move == MoveKind::rapid) return;
+    report_.chordal_error_after_mm = std::max(report_.chordal_error_after_mm, error.tip_mm);
+    report_.rotary_error_after_rad = std::max(report_.rotary_error_after_rad, error.axis_rad);
+  }
+
+  [[nodiscard]] std::optional<AxisPathPoint> between(const AxisPathPoint& from, const AxisPathPoint& to) const {
+    const AxisVector halfway = 0.5 * (from.q + to.q);
+    AxisPathPoint middle = to;
+    middle.source = -1;
+    middle.pose = {0.5 * (from.pose.tip_P_mm + to.pose.tip_P_mm), slerp(from.pose.axis_P, to.pose.axis_P, 0.5)};
+    const auto rotary = nearest_rotaries(problem_, middle.pose.axis_P, {halfway[3], halfway[4]});
+    if (!rotary) return std::nullopt;
+    const Vec3 tip_M_mm = problem_.setup.part_in_machine * middle.pose.tip_P_mm;
+    middle.q = solve_linear(problem_.machine, problem_.tool_length_mm, tip_M_mm, (*rotary)[0], (*rotary)[1]);
+    return middle;
+  }
+
+  // The deviation is smooth and vanishes at both ends: three places bracket its maximum closely enough, also where it
+  // is lopsided.
+  [[nodiscard]] Deviation deviation(const AxisPathPoint& from, const AxisPathPoint& to) const {
+    Deviation greatest;
+    for (const double t : {0.25, 0.5, 0.75}) {
+      const AxisVector q = from.q + t * (to.q - from.q);
+      const ToolPose pose = tool_pose(problem_.machine, problem_.setup, problem_.tool_length_mm, q);
+      greatest.axis_rad =
+          std::max(greatest.axis_rad, angle_between(pose.axis_P, slerp(from.pose.axis_P, to.pose.axis_P, t)));
+      if (problem_.options.control_keeps_tip) continue;
+      greatest.tip_mm =
+          std::max(greatest.tip_mm, distance_to_segment(pose.tip_P_mm, from.pose.tip_P_mm, to.pose.tip_P_mm));
+    }
+    return greatest;
+  }
+
+  const PathProblem& problem_;
+  AxisPathReport& report_;
+  AxisPath path_;
+  double tolerance_share_ = 1.0;
+};
+
+double distance(const Rotary2& a, const Rotary2& b) { return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]); }
+
+bool within_travel(const Axis& axis, double position) {
+  return (!axis.travel_min || position >= *axis.travel_min) && (!axis.travel_max || position <= *axis.travel_max);
+}
+
+// The pole's own rotaries where the axis is so near to it that the free one does not matter.
+std::vector<RotarySolution> solutions_near(const PathProblem& problem, const Vec3& axis_M, const Rotary2& near) {
+  const std::size_t free = static_cast<std::size_t>(free_rotary(problem.machine));
+  const Vec3& pole_M = problem.machine.axes[3 + free].direction_M;
+  const bool leans = axis_M.cross(pole_M).norm() <= std::sin(0.5 * problem.options.rotary_tolerance_rad);
+  std::vector<RotarySolution> solutions =
+      solve_rotaries(problem.machine, leans ? Vec3(axis_M.dot(pole_M) > 0.0 ? pole_M : -pole_M) : axis_M);
+  for (RotarySolution& solution : solutions)
+    if (solution.at_pole) (free == 0 ? solution.first_rad : solution.second_rad) = near[free];
+  return solutions;
+}
+
+}  // namespace
+
+Vec3 slerp(const Vec3& a, const Vec3& b, double t) {
+  const double angle = angle_between(a, b);
+  if (angle < 1e-9) return (a + t * (b - a)).normalized();
+  return (std::sin((1.0 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
+}
+
+std::optional<Rotary2> nearest_rotaries(const PathProblem& problem, const Vec3& axis_P, const Rotary2& near) {
+  std::optional<Rotary2> nearest;
+  for (const RotarySolution& solution :
+       solutions_near(problem, problem.setup.part_in_machine.linear() * axis_P, near)) {
+    Rotary2 rotary = {solution.first_rad, solution.second_rad};
+    for (std::size_t k = 0; k < 2; ++k) rotary[k] = near[k] + std::remainder(rotary[k] - near[k], turn_rad);
+    const bool possible =
+        within_travel(problem.machine.axes[3], rotary[0]) && within_travel(problem.machine.axes[4], rotary[1]);
+    if (possible && (!nearest || distance(rotary, near) < distance(*nearest, near))) nearest = rotary;
+  }
+  return nearest;
+}
+
+AxisPath linearize(const PathProblem& problem, const AxisPath& rough, AxisPathReport& report) {
+  return Linearizer(problem, report).run(rough);
+}
+
+}  // namespace volute::kinematics

@@ -1,0 +1,81 @@
+// The steps of solve_path and what passes between them. Private to kinematics/inverse.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinematics/inverse/inverse.hpp"
+
+namespace volute::kinematics {
+
+using Rotary2 = std::array<double, 2>;  ///< positions of axes[3], axes[4]
+
+/// Everything that the steps read and none of them changes.
+struct PathProblem {
+  const Machine& machine;
+  const Setup& setup;
+  double tool_length_mm;
+  const ToolPath& path;
+  const AxisPathOptions& options;
+};
+
+constexpr double turn_rad = 2.0 * std::numbers::pi;
+
+/// A rotary whose travel holds at least one whole turn: any angle can be shown, and turns are counted. The others are
+/// narrow: an angle has at most one place in their travel.
+inline bool is_wide(const Axis& axis) {
+  return !axis.travel_min || !axis.travel_max || *axis.travel_max - *axis.travel_min >= turn_rad;
+}
+/// The place of an angle in a narrow axis's travel, or nothing.
+std::optional<double> place_in_travel(const Axis& axis, double angle_rad);
+/// Index (0 or 1, of axes 3 and 4) of the rotary nearer to the workpiece: the one that is free at the pole.
+int free_rotary(const Machine& machine);
+
+/// The ways to point the tool at one point of the path. Narrow axes: values within travel. Wide ones: in (-pi, pi].
+struct PointCandidates {
+  std::array<Rotary2, 2> rotary{};
+  std::array<bool, 2> possible{};
+  bool at_pole = false;  ///< within the tolerance: the free rotary may stand anywhere; only rotary[0] is used
+};
+
+/// How a point is reached: by which branch, with rotaries that count their turns from the point before.
+struct ChosenPoint {
+  Rotary2 rotary{};
+  std::int8_t branch = 0;
+  bool at_pole = false;
+  bool reposition = false;  ///< the branch changes on the way here, away from the pole: lift off, turn, come back
+  bool meet_here = false;   ///< reposition at this point (else at the one before)
+};
+
+/// Branch of every point: least motion of the rotaries by dynamic programming over both branches; repositions only
+/// where nothing else is possible. Rotaries unwrapped, travel of wide axes not yet looked at. Sets
+/// report.pole_crossings. Errors: axis-out-of-travel, pose-unreachable.
+geometry::Result<std::vector<ChosenPoint>> choose_branches(const PathProblem& problem, AxisPathReport& report);
+
+/// A stretch of the path with its own whole turns added to the rotaries. The first one starts at point 0; each later
+/// one starts with a rewind.
+struct Stretch {
+  std::size_t begin = 0;  ///< first point that is cut with these turns
+  std::array<int, 2> turns{};
+  bool meets_before = true;  ///< the rewind returns to point begin - 1; else to begin
+};
+/// The fewest stretches that keep wide axes within their travel; a stretch may end earlier where the tool is off the
+/// part.
+std::vector<Stretch> choose_turns(const PathProblem& problem, const std::vector<ChosenPoint>& points);
+
+/// The rotaries that reach `pose` nearest to `near`, or nothing when travel or reach forbid it. Within the tolerance of
+/// the pole the free rotary keeps its value.
+std::optional<Rotary2> nearest_rotaries(const PathProblem& problem, const Vec3& axis_P, const Rotary2& near);
+
+/// Puts points between neighbours until what the control interpolates stays within the tolerances.
+AxisPath linearize(const PathProblem& problem, const AxisPath& rough, AxisPathReport& report);
+
+/// Great-circle interpolation of unit vectors; exact at both ends. Requires: not opposite.
+Vec3 slerp(const Vec3& a, const Vec3& b, double t);
+
+}  // namespace volute::kinematics
