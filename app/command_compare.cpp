@@ -52,10 +52,10 @@ Result<Json> run_strategy(JobInputs& inputs, const NamedStrategy& strategy, cons
   view::RunView view = run_view(inputs, *plan, *posted, *verified);
   view.title = inputs.job.name + ", " + strategy.name + ", on " + inputs.profile.name;
   view.program_name = *program;
-  view.report_json = report.dump(2);
+  view.report_json = without_seconds(report).dump(2);
   const auto folder = OutputFolder::make(out.file(strategy.name));
   if (!folder) return tl::unexpected(folder.error());
-  if (auto written = folder->write("report.json", view.report_json + "\n"); !written) return tl::unexpected(written.error());
+  if (auto written = folder->write("report.json", report.dump(2) + "\n"); !written) return tl::unexpected(written.error());
   if (auto pictures = view::write_pictures(view, folder->folder()); !pictures) return tl::unexpected(pictures.error());
   if (auto page = view::write_report_html(view, folder->file("report.html")); !page) return tl::unexpected(page.error());
   return report;

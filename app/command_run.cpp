@@ -35,8 +35,8 @@ Json full_report(const JobInputs& inputs, const planner::PlanResult& plan, const
 }
 
 Result<std::vector<std::string>> write_results(const OutputFolder& out, view::RunView& view, const Json& report) {
-  view.report_json = report.dump(2);
-  if (auto written = out.write("report.json", view.report_json + "\n"); !written) return tl::unexpected(written.error());
+  view.report_json = without_seconds(report).dump(2);
+  if (auto written = out.write("report.json", report.dump(2) + "\n"); !written) return tl::unexpected(written.error());
   if (auto saved = view::save_view(view, out.folder()); !saved) return tl::unexpected(saved.error());
   auto pictures = view::write_pictures(view, out.folder());
   if (!pictures) return pictures;

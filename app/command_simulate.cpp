@@ -98,7 +98,7 @@ view::RunView view_of(const path& program, const Bench& bench, const Simulated& 
   view.trace = simulated.result.trace;
   view.cut = simulated.result.cut;
   view.findings = simulated.result.findings;
-  view.report_json = simulated.report.dump(2);
+  view.report_json = without_seconds(simulated.report).dump(2);
   view.program_name = program.filename().string();
   view.program_text = simulated.text;
   return view;
@@ -106,7 +106,7 @@ view::RunView view_of(const path& program, const Bench& bench, const Simulated& 
 
 Result<std::vector<std::string>> write_results(const path& program, const Bench& bench, const Simulated& simulated, const OutputFolder& out) {
   const view::RunView view = view_of(program, bench, simulated);
-  if (auto written = out.write("report.json", view.report_json + "\n"); !written) return tl::unexpected(written.error());
+  if (auto written = out.write("report.json", simulated.report.dump(2) + "\n"); !written) return tl::unexpected(written.error());
   if (auto saved = view::save_view(view, out.folder()); !saved) return tl::unexpected(saved.error());
   auto pictures = view::write_pictures(view, out.folder());
   if (!pictures) return pictures;

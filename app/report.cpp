@@ -185,6 +185,12 @@ Json mesh_json(const geometry::MeshReport& report, const std::string& file) {
   return json;
 }
 
+Json without_seconds(Json report) {
+  report.erase("timing");
+  if (report.contains("orientation")) report["orientation"].erase("solve_s");
+  return report;
+}
+
 Json plan_json(const planner::PlanResult& plan) {
   return {{"surface", surface_json(plan.cc.surface)},
           {"path", path_json(plan.cc.report)},

@@ -26,6 +26,9 @@ Json findings_json(const std::vector<sim::Finding>& findings);
 Json timing_json(const std::map<std::string, double>& timing_s);
 Json mesh_json(const geometry::MeshReport& report, const std::string& file);
 
+/// The report less the seconds of the computation (timing, solve_s): the same bytes every time, whatever the computer.
+Json without_seconds(Json report);
+
 /// The parts that a plan knows: surface, path, orientation, timing.
 Json plan_json(const planner::PlanResult& plan);
 /// program, run, machining, collision, loads, findings, timing.

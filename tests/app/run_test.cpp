@@ -1,0 +1,103 @@
+// The main job as a user runs it, on a small plate: results, contract keys, determinism.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/app/run_volute.hpp"
+
+namespace volute::app_test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+fs::path plate_folder(const std::string& name) {
+  const auto folder = scratch_folder(name);
+  write_text(folder / "plate.stl", plate_stl(15, 30));
+  write_text(folder / "plate.toml", plate_job());
+  return folder;
+}
+
+/// Everything but the seconds that the run itself took.
+Json without_timing(const fs::path& report) {
+  Json json = Json::parse(text_of(report));
+  json.erase("timing");
+  if (json.contains("orientation")) json["orientation"].erase("solve_s");
+  return json;
+}
+
+TEST(Run, PlateGivesAProgramThatPasses) {
+  const auto folder = plate_folder("run");
+  const Outcome outcome = run_volute("run plate.toml --out out --json", folder);
+  ASSERT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  const Json report = Json::parse(outcome.out);
+  for (const char* key : {"program", "surface", "path", "orientation", "run", "machining", "collision", "findings", "timing"})
+    EXPECT_TRUE(report.contains(key)) << key;
+  EXPECT_EQ(report["path"]["rapid_traversals"], 0);
+  EXPECT_EQ(report["path"]["pieces"], 1);
+  EXPECT_TRUE(report["findings"].empty());
+  EXPECT_LE(report["machining"]["scallop_max_mm"].get<double>(), 0.2 * 1.1);
+  for (const auto& [letter, axis] : report["run"]["axes"].items()) EXPECT_LE(axis["limit_ratio_max"].get<double>(), 1.0 + 1e-9) << letter;
+  EXPECT_NEAR(report["run"]["programmed_feed_mm_min"].get<double>(), 600.0, 1.0);
+  for (const char* name : {"plate.nc", "toolpath.cls", "plan.json", "report.json", "report.html", "path.png"})
+    EXPECT_GT(fs::file_size(folder / "out" / name), 100U) << name;
+  EXPECT_FALSE(fs::exists(folder / "out" / "plate.rejected.nc"));
+}
+
+TEST(Run, SameJobGivesTheSameBytesOnOneThreadAndTwo) {
+  const auto folder = plate_folder("same-bytes");
+  ASSERT_EQ(run_volute("run plate.toml --out one --threads 1 --quiet", folder).status, 0);
+  ASSERT_EQ(run_volute("run plate.toml --out two --threads 2 --quiet", folder).status, 0);
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder / "one")) names.insert(entry.path().filename());
+  EXPECT_GE(names.size(), 6U);
+  for (const std::string& name : names) {
+    if (name == "report.json" || name == "plan.json") EXPECT_EQ(without_timing(folder / "one" / name), without_timing(folder / "two" / name));
+    else EXPECT_EQ(text_of(folder / "one" / name), text_of(folder / "two" / name)) << name;
+  }
+}
+
+TEST(Run, WhatFailsKeepsRejectedInItsName) {
+  const auto folder = plate_folder("rejected");
+  ASSERT_EQ(run_volute("run plate.toml --out out --quiet", folder).status, 0);
+  // Posted for LinuxCNC and judged there with one block sunk 0.5 mm: a gouge.
+  std::string program = text_of(folder / "out" / "plate.nc");
+  const std::size_t at = program.find(" Z", program.size() / 2);
+  ASSERT_NE(at, std::string::npos);
+  const std::size_t end = program.find_first_of(" \r\n", at + 2);
+  const double z = std::stod(program.substr(at + 2, end - at - 2));
+  program.replace(at + 2, end - at - 2, std::to_string(z - 0.5));
+  write_text(folder / "sunk.nc", program);
+  const Outcome judged = run_volute("simulate sunk.nc --machine ac-head-fanuc --part plate.stl --cutter ball,3 --out judged --json", folder);
+  EXPECT_EQ(judged.status, 1) << judged.err;
+  const Json report = Json::parse(judged.out);
+  ASSERT_FALSE(report["findings"].empty());
+  bool gouge = false;
+  for (const Json& finding : report["findings"]) gouge = gouge || finding["kind"] == "gouge";
+  EXPECT_TRUE(gouge) << report["findings"].dump(1);
+}
+
+TEST(Run, PlanPostAndSimulateAgreeWithRun) {
+  const auto folder = plate_folder("steps");
+  ASSERT_EQ(run_volute("plan plate.toml --out planned --quiet", folder).status, 0);
+  const Outcome posted = run_volute("post planned/toolpath.cls --machine ac-head-linuxcnc --out plate.ngc --json", folder);
+  ASSERT_EQ(posted.status, 0) << posted.err;
+  EXPECT_GT(Json::parse(posted.out)["blocks"].get<int>(), 100);
+  const Outcome judged = run_volute("simulate plate.ngc --machine ac-head-linuxcnc --part plate.stl --cutter ball,3 --tool-length 98 --scallop 0.22 --json --out sim", folder);
+  const Json report = Json::parse(judged.out);
+  EXPECT_GT(report["run"]["cycle_time_s"].get<double>(), 1.0) << judged.err;
+}
+
+TEST(Run, RenderDrawsTheSamePicturesAgain) {
+  const auto folder = plate_folder("render");
+  ASSERT_EQ(run_volute("run plate.toml --out out --quiet", folder).status, 0);
+  const std::string picture = text_of(folder / "out" / "path.png");
+  fs::remove(folder / "out" / "path.png");
+  ASSERT_EQ(run_volute("render out", folder).status, 0);
+  EXPECT_EQ(text_of(folder / "out" / "path.png"), picture);
+}
+
+}  // namespace
+}  // namespace volute::app_test
