@@ -1,0 +1,110 @@
+#include "planner/path/even_domain.hpp"
+
+#include <algorithm>
+
+#include "geometry/check.hpp"
+#include "geometry/mesh_measure.hpp"
+#include "planner/surface/cut.hpp"
+#include "planner/surface/slice_path.hpp"
+
+namespace volute::planner {
+namespace {
+
+using geometry::BoundaryLoop;
+using geometry::MeshTopology;
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+struct Opened {
+  TriangleMesh mesh;
+  std::vector<Vec3> normals;
+  std::vector<Mat3> curvature;
+  std::vector<Index> slit;  ///< vertices before cutting
+};
+
+Result<Opened> open_along(const EvenSurface& surface, const Slit& slit) {
+  const auto path = bridge_path(surface.mesh, surface.topology, surface.vertex_normals, slit.from, slit.to);
+  if (!path) return tl::unexpected(path.error());
+  MeshWithPath laid = insert_path(surface.mesh, path->path);
+  const auto topology = MeshTopology::build(laid.mesh);
+  if (!topology) return tl::unexpected(topology.error());
+  std::vector<Vec3> normals = surface.vertex_normals;
+  normals.resize(laid.mesh.vertices_mm.size());
+  for (std::size_t i = 0; i < laid.vertices.size(); ++i) {
+    const SurfacePoint& p = path->path[i];
+    if (p.is_vertex()) continue;
+    normals[at(laid.vertices[i])] =
+        ((1.0 - p.t) * surface.vertex_normals[at(p.a)] + p.t * surface.vertex_normals[at(p.b)]).normalized();
+  }
+  const std::array<std::vector<Index>, 1> chains = {laid.vertices};
+  CutMesh cut = cut_open(laid.mesh, *topology, chains);
+  Opened out{std::move(cut.mesh), {}, {}, laid.vertices};
+  for (Index original : cut.original) out.normals.push_back(normals[at(original)]);
+  for (Index parent : laid.parent) out.curvature.push_back(surface.curvature[at(parent)]);
+  return out;
+}
+
+bool holds_any(const BoundaryLoop& loop, const std::vector<char>& marked) {
+  return std::any_of(loop.vertices.begin(), loop.vertices.end(), [&](Index v) { return marked[at(v)] != 0; });
+}
+
+/// Names the loops by what they were on the surface: the outer one and the centre by their vertices.
+void assign_loops(const EvenSurface& surface, const Centre& centre, const std::vector<Index>& slit,
+                  EvenDomain& domain) {
+  const auto& before = surface.topology.boundary_loops();
+  std::vector<char> is_outer(domain.mesh.vertices_mm.size(), 0), is_centre(domain.mesh.vertices_mm.size(), 0);
+  for (Index v : before[0].vertices) is_outer[at(v)] = 1;
+  if (const Index* loop = std::get_if<Index>(&centre)) {
+    for (Index v : before[at(*loop)].vertices) is_centre[at(v)] = 1;
+  }
+  for (Index v : slit) is_centre[at(v)] = 1;
+  for (const BoundaryLoop& loop : domain.topology.boundary_loops()) {
+    if (holds_any(loop, is_outer)) {
+      domain.outer = loop;
+    } else if (holds_any(loop, is_centre)) {
+      domain.centre = loop;
+    } else {
+      domain.floating.push_back(loop);
+    }
+  }
+}
+
+}  // namespace
+
+Result<EvenSurface> EvenSurface::build(TriangleMesh mesh) {
+  auto topology = MeshTopology::build(mesh);
+  if (!topology) return tl::unexpected(topology.error());
+  auto normals = geometry::vertex_normals(mesh);
+  auto curvature = geometry::triangle_curvature(mesh);
+  return EvenSurface{std::move(mesh), std::move(*topology), std::move(normals), std::move(curvature)};
+}
+
+Result<EvenDomain> even_domain(const EvenSurface& surface, const Centre& centre) {
+  Opened opened{surface.mesh, surface.vertex_normals, surface.curvature, {}};
+  if (const Slit* slit = std::get_if<Slit>(&centre)) {
+    VOLUTE_CHECK(slit->from != slit->to, slit->from);
+    auto cut = open_along(surface, *slit);
+    if (!cut) return tl::unexpected(cut.error());
+    opened = std::move(*cut);
+  }
+  auto topology = MeshTopology::build(opened.mesh);
+  if (!topology) return tl::unexpected(topology.error());
+  EvenDomain out;
+  for (Index v : opened.slit) out.slit_P.push_back(opened.mesh.vertices_mm[at(v)]);
+  out.mesh = std::move(opened.mesh);
+  out.topology = std::move(*topology);
+  out.vertex_normals = std::move(opened.normals);
+  out.curvature = std::move(opened.curvature);
+  out.operators = triangle_operators(out.mesh);
+  assign_loops(surface, centre, opened.slit, out);
+  VOLUTE_CHECK(!out.outer.vertices.empty() && !out.centre.vertices.empty(), out.outer.vertices.size(),
+               out.centre.vertices.size());
+  auto seam = seam_between(out.mesh, out.topology, out.outer, out.centre);
+  if (!seam) return tl::unexpected(seam.error());
+  auto theta = periodic_harmonic(out.mesh, out.topology, *seam);
+  if (!theta) return tl::unexpected(theta.error());
+  out.theta = std::move(*theta);
+  return out;
+}
+
+}  // namespace volute::planner

@@ -1,0 +1,328 @@
+#include "planner/path/even_field.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/check.hpp"
+
+namespace volute::planner {
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+constexpr std::size_t grain = 2048;
+
+template <class Body>
+void for_each_index(std::size_t count, Body body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
+                    });
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Vec2 across(const Vec2& v) { return {-v.y(), v.x()}; }
+
+Vec2 unit_or(const Vec2& v, const Vec2& otherwise) {
+  const double norm = v.norm();
+  return norm > 1e-12 ? Vec2(v / norm) : otherwise;
+}
+
+/// The minimiser over q of |q| + mu |q|^2 / (2 g) + weight |q - z|^2 / 2 with q . d >= g.
+/// Free: the length of z shrinks. On the constraint q = g d + b e, b solves b / sqrt(g^2 + b^2) + (mu / g)(b) + weight
+/// (b - z . e) = 0 by Newton; the left side grows with b and is convex on each side of 0, six steps reach rounding.
+Vec2 nearest_allowed(const Vec2& z, const Vec2& d, double needed, double mu, double weight) {
+  const double total = mu / needed + weight;
+  const Vec2 pulled = z * (weight / total);
+  const double length = std::max(pulled.norm(), 1e-12);
+  const Vec2 free = pulled * std::max(1.0 - 1.0 / (total * length), 0.0);
+  if (free.dot(d) >= needed) return free;
+  const Vec2 e = across(d);
+  const double aim = pulled.dot(e);
+  double b = aim;
+  for (int step = 0; step < 6; ++step) {
+    const double norm = std::sqrt(needed * needed + b * b);
+    b -= (b / norm + total * (b - aim)) / (needed * needed / (norm * norm * norm) + total);
+  }
+  return needed * d + b * e;
+}
+
+/// v stretched level by level: its slope at a level is what `share` of the level's length needs.
+std::vector<double> stretched(const EvenDomain& domain, const std::vector<double>& v,
+                              const std::vector<double>& slope_needed, const std::vector<double>& weight,
+                              double share) {
+  constexpr std::size_t bins = 200;
+  std::vector<std::vector<std::size_t>> members(bins);
+  const auto bin_of = [](double value) {
+    return std::clamp(static_cast<std::ptrdiff_t>(value * bins), std::ptrdiff_t{0}, std::ptrdiff_t{bins - 1});
+  };
+  for (std::size_t t = 0; t < domain.mesh.triangles.size(); ++t) {
+    const auto& c = domain.mesh.triangles[t];
+    const auto [low, high] = std::minmax({v[at(c[0])], v[at(c[1])], v[at(c[2])]});
+    for (auto b = bin_of(low); b <= bin_of(high); ++b) members[static_cast<std::size_t>(b)].push_back(t);
+  }
+  std::array<double, bins + 1> sum{};
+  double last = 0.0;
+  for (std::size_t b = 0; b < bins; ++b) {
+    auto& m = members[b];
+    std::sort(m.begin(), m.end(), [&](std::size_t i, std::size_t j) { return slope_needed[i] < slope_needed[j]; });
+    double total = 0.0, reached = 0.0;
+    for (std::size_t t : m) total += weight[t];
+    for (std::size_t t : m) {
+      last = slope_needed[t];
+      reached += weight[t];
+      if (reached >= share * total) break;
+    }
+    sum[b + 1] = sum[b] + last / bins;
+  }
+  std::vector<double> out(v.size());
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const double x = std::clamp(v[i], 0.0, 1.0) * bins;
+    const auto b = std::min(static_cast<std::size_t>(x), bins - 1);
+    out[i] = sum[b] + (x - static_cast<double>(b)) * (sum[b + 1] - sum[b]);
+  }
+  return out;
+}
+
+}  // namespace
+
+EvenFieldSolver::EvenFieldSolver(const EvenDomain& domain, const IntervalRule& rule, const EvenFieldOptions& options)
+    : domain_(&domain), rule_(rule), options_(options), corners_(domain.mesh) {}
+
+void EvenFieldSolver::number_unknowns(const std::optional<std::vector<double>>& float_levels) {
+  const EvenDomain& domain = *domain_;
+  constexpr int inner = -2;
+  unknown_.assign(domain.mesh.vertices_mm.size(), inner);
+  held_.assign(domain.mesh.vertices_mm.size(), 0.0);
+  for (Index v : domain.outer.vertices) unknown_[at(v)] = -1;
+  for (Index v : domain.centre.vertices) unknown_[at(v)] = -1;
+  for (const auto& loop : domain.floating) {
+    for (Index v : loop.vertices) unknown_[at(v)] = -1;
+  }
+  unknown_count_ = 0;
+  for (int& u : unknown_) u = u == inner ? unknown_count_++ : u;
+  centre_unknown_ = unknown_count_++;
+  for (Index v : domain.centre.vertices) unknown_[at(v)] = centre_unknown_;
+  for (std::size_t i = 0; i < domain.floating.size(); ++i) {
+    const int tied = float_levels ? -1 : unknown_count_++;
+    for (Index v : domain.floating[i].vertices) {
+      unknown_[at(v)] = tied;
+      held_[at(v)] = domain.theta.vertex[at(v)] + (float_levels ? (*float_levels)[i] : 0.0);
+    }
+  }
+}
+
+SparseMatrix EvenFieldSolver::reduction() const {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t v = 0; v < unknown_.size(); ++v) {
+    if (unknown_[v] >= 0) entries.emplace_back(static_cast<int>(v), unknown_[v], 1.0);
+  }
+  SparseMatrix out(static_cast<Eigen::Index>(unknown_.size()), unknown_count_);
+  out.setFromTriplets(entries.begin(), entries.end());
+  return out;
+}
+
+Result<void> EvenFieldSolver::solve_harmonic() {
+  // Floating holes are tied here even where their levels are held: the harmonic map is about shape, not about levels.
+  std::vector<Eigen::Triplet<double>> entries;
+  int count = centre_unknown_ + 1;
+  for (std::size_t v = 0; v < unknown_.size(); ++v) {
+    if (unknown_[v] >= 0 && unknown_[v] <= centre_unknown_) entries.emplace_back(static_cast<int>(v), unknown_[v], 1.0);
+  }
+  for (const auto& loop : domain_->floating) {
+    for (Index v : loop.vertices) entries.emplace_back(v, count, 1.0);
+    ++count;
+  }
+  SparseMatrix tie(static_cast<Eigen::Index>(unknown_.size()), count);
+  tie.setFromTriplets(entries.begin(), entries.end());
+  const SparseMatrix reduced = tie.transpose() * cotan_laplacian(domain_->mesh) * tie;
+  const std::array<int, 1> fixed = {centre_unknown_};
+  const auto solved = solve_with_fixed(reduced, fixed, Eigen::MatrixXd::Ones(1, 1));
+  if (!solved) return tl::unexpected(solved.error());
+  const Eigen::VectorXd v = tie * *solved;
+  harmonic_.assign(v.data(), v.data() + v.size());
+  harmonic_direction_ = gradient(domain_->mesh, domain_->operators, harmonic_);
+  for (Vec2& d : harmonic_direction_) d = unit_or(d, Vec2(1.0, 0.0));
+  return {};
+}
+
+Result<void> EvenFieldSolver::assemble() {
+  const EvenDomain& domain = *domain_;
+  usual_per_mm_.resize(domain.mesh.triangles.size());
+  std::vector<double> weight(usual_per_mm_.size());
+  for (std::size_t t = 0; t < usual_per_mm_.size(); ++t) {
+    usual_per_mm_[t] = 1.0 / rule_.interval_mm(0.5 * domain.curvature[t].trace());
+    weight[t] = options_.step / usual_per_mm_[t];
+  }
+  const double usual = median(usual_per_mm_);
+  const double bend = options_.bend / (usual * usual * usual);
+  const auto areas = vertex_areas_mm2(domain.mesh);
+  Eigen::VectorXd inner = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(areas.size()));
+  for (std::size_t v = 0; v < areas.size(); ++v) {
+    if (!domain.topology.is_boundary_vertex(static_cast<Index>(v)))
+      inner[static_cast<Eigen::Index>(v)] = bend / areas[v];
+  }
+  const SparseMatrix reduce = reduction();
+  const SparseMatrix laplacian = cotan_laplacian(domain.mesh);
+  const SparseMatrix reduced = laplacian * reduce;
+  SparseMatrix matrix = reduce.transpose() * cotan_laplacian(domain.mesh, weight) * reduce;
+  matrix += SparseMatrix(reduced.transpose() * inner.asDiagonal() * reduced);
+  matrix.makeCompressed();
+  const Eigen::Map<const Eigen::VectorXd> held(held_.data(), static_cast<Eigen::Index>(held_.size()));
+  bend_load_ = -(reduced.transpose() * (inner.asDiagonal() * Eigen::VectorXd(laplacian * held)));
+  held_gradient_ = gradient(domain.mesh, domain.operators, held_);
+  auto solver = SparseSolver::factor(matrix);
+  if (!solver) return tl::unexpected(solver.error());
+  solver_ = std::move(*solver);
+  return {};
+}
+
+Result<EvenFieldSolver> EvenFieldSolver::build(const EvenDomain& domain, const IntervalRule& rule,
+                                               const EvenFieldOptions& options,
+                                               const std::optional<std::vector<double>>& float_levels) {
+  VOLUTE_CHECK(!float_levels || float_levels->size() == domain.floating.size(), domain.floating.size());
+  EvenFieldSolver out(domain, rule, options);
+  out.number_unknowns(float_levels);
+  if (auto done = out.solve_harmonic(); !done) return tl::unexpected(done.error());
+  if (auto done = out.assemble(); !done) return tl::unexpected(done.error());
+  return out;
+}
+
+EvenField EvenFieldSolver::start() const {
+  const EvenDomain& domain = *domain_;
+  const auto slopes = gradient(domain.mesh, domain.operators, harmonic_);
+  const std::vector<double> ones(slopes.size(), 1.0);
+  std::vector<double> slope_needed = needed_gradient(harmonic_direction_, ones), weight(slopes.size());
+  for (std::size_t t = 0; t < slopes.size(); ++t) {
+    const double slope = std::max(slopes[t].norm(), 1e-12);
+    slope_needed[t] /= slope;
+    weight[t] = domain.operators[t].area_mm2 * slope;
+  }
+  EvenField field;
+  field.phi = stretched(domain, harmonic_, slope_needed, weight, 0.99);
+  field.turns = field.phi[at(domain.centre.vertices.front())];
+  field.dual.assign(slopes.size(), Vec2::Zero());
+  field.direction = gradient(domain.mesh, domain.operators, field.phi);
+  for (std::size_t t = 0; t < slopes.size(); ++t)
+    field.direction[t] = unit_or(field.direction[t], harmonic_direction_[t]);
+  return field;
+}
+
+std::vector<double> EvenFieldSolver::values(const Eigen::VectorXd& unknowns) const {
+  std::vector<double> phi(held_);
+  for (std::size_t v = 0; v < phi.size(); ++v) {
+    if (unknown_[v] >= 0) phi[v] += unknowns[unknown_[v]];
+  }
+  return phi;
+}
+
+Eigen::VectorXd EvenFieldSolver::load(std::span<const Vec2> flux) const {
+  const EvenDomain& domain = *domain_;
+  std::vector<double> at_vertex(unknown_.size());
+  for_each_index(at_vertex.size(), [&](std::size_t v) {
+    double sum = 0.0;
+    for (Index corner : corners_.of(static_cast<Index>(v))) {
+      sum += flux[at(corner / 3)].dot(domain.operators[at(corner / 3)].hat_per_mm[at(corner % 3)]);
+    }
+    at_vertex[v] = sum;
+  });
+  Eigen::VectorXd out = bend_load_;
+  for (std::size_t v = 0; v < unknown_.size(); ++v) {
+    if (unknown_[v] >= 0) out[unknown_[v]] += at_vertex[v];
+  }
+  return out;
+}
+
+std::vector<double> EvenFieldSolver::needed_gradient(std::span<const Vec2> direction,
+                                                     std::span<const double> gain) const {
+  std::vector<double> out(direction.size());
+  for_each_index(out.size(), [&](std::size_t t) {
+    const Vec3 d = domain_->operators[t].to_space(direction[t]);
+    out[t] = gain[t] / domain_->interval_mm(rule_, static_cast<Index>(t), d);
+  });
+  return out;
+}
+
+void EvenFieldSolver::smooth_directions(std::vector<Vec2>& direction) const {
+  const EvenDomain& domain = *domain_;
+  std::vector<Vec3> at_vertex(domain.mesh.vertices_mm.size());
+  for (int round = 0; round < options_.direction_rounds; ++round) {
+    for_each_index(at_vertex.size(), [&](std::size_t v) {
+      Vec3 sum = Vec3::Zero();
+      double area = 0.0;
+      for (Index corner : corners_.of(static_cast<Index>(v))) {
+        const TriangleOperator& o = domain.operators[at(corner / 3)];
+        sum += o.area_mm2 * o.to_space(direction[at(corner / 3)]);
+        area += o.area_mm2;
+      }
+      at_vertex[v] = area > 0.0 ? Vec3(sum / area) : Vec3(Vec3::Zero());
+    });
+    for_each_index(direction.size(), [&](std::size_t t) {
+      const auto& c = domain.mesh.triangles[t];
+      const Vec2 mean = domain.operators[t].to_plane(at_vertex[at(c[0])] + at_vertex[at(c[1])] + at_vertex[at(c[2])]);
+      direction[t] = unit_or(mean, direction[t]);
+    });
+  }
+}
+
+void EvenFieldSolver::turn_directions(EvenField& field, std::span<const Vec2> gradient) const {
+  constexpr double turn_cosine_min =
+      0.2;  // a gradient that left its direction this far says that the triangle is not settled
+  for_each_index(gradient.size(), [&](std::size_t t) {
+    const Vec2 now = unit_or(gradient[t], field.direction[t]);
+    if (now.dot(field.direction[t]) > turn_cosine_min) field.direction[t] = now;
+  });
+  smooth_directions(field.direction);
+  const double cone_cosine = std::cos(options_.cone_rad), cone_sine = std::sin(options_.cone_rad);
+  for_each_index(gradient.size(), [&](std::size_t t) {
+    const Vec2& axis = harmonic_direction_[t];
+    Vec2& d = field.direction[t];
+    if (d.dot(axis) >= cone_cosine) return;
+    const Vec2 side = across(axis);
+    d = cone_cosine * axis + (d.dot(side) < 0.0 ? -cone_sine : cone_sine) * side;
+  });
+}
+
+void EvenFieldSolver::improve(EvenField& field, std::span<const double> gain, int outer, int inner) const {
+  const EvenDomain& domain = *domain_;
+  const std::size_t triangles = domain.mesh.triangles.size();
+  VOLUTE_CHECK(field.phi.size() == domain.mesh.vertices_mm.size() && gain.size() == triangles, field.phi.size(),
+               gain.size());
+  std::vector<Vec2> slope = gradient(domain.mesh, domain.operators, field.phi), flux(triangles);
+  Eigen::VectorXd unknowns;
+  for (int o = 0; o < outer; ++o) {
+    const std::vector<double> needed = needed_gradient(field.direction, gain);
+    for (int i = 0; i < inner; ++i) {
+      for_each_index(triangles, [&](std::size_t t) {
+        const double weight = options_.step / usual_per_mm_[t];
+        const Vec2 q =
+            nearest_allowed(slope[t] + field.dual[t], field.direction[t], needed[t], options_.excess, weight);
+        flux[t] = (q - field.dual[t] - held_gradient_[t]) * (weight * domain.operators[t].area_mm2);
+        field.dual[t] -= q;
+      });
+      unknowns = solver_->solve(load(flux));
+      field.phi = values(unknowns);
+      for_each_index(triangles, [&](std::size_t t) {
+        const auto& c = domain.mesh.triangles[t];
+        slope[t] = domain.operators[t].gradient(field.phi[at(c[0])], field.phi[at(c[1])], field.phi[at(c[2])]);
+        field.dual[t] += slope[t];
+      });
+    }
+    turn_directions(field, slope);
+  }
+  field.turns = unknowns[centre_unknown_];
+  field.float_levels.clear();
+  for (const auto& loop : domain.floating) {
+    const std::size_t v = at(loop.vertices.front());
+    field.float_levels.push_back(field.phi[v] - domain.theta.vertex[v]);
+  }
+}
+
+}  // namespace volute::planner

@@ -1,0 +1,77 @@
+// The field of the even spiral: its gradient is everywhere at least one over the allowed interval, and hardly more.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "planner/path/even_domain.hpp"
+#include "planner/path/path_interval.hpp"
+#include "planner/surface/sparse_solver.hpp"
+
+namespace volute::planner {
+
+/// Weights of the field's optimisation. The defaults hold for every part; they are dimensionless.
+struct EvenFieldOptions {
+  double bend = 5.0;         ///< cost of |Laplacian|^2: higher gives rounder turns at the holes, and a longer path
+  double excess = 0.05;      ///< mu: cost of (|q| L)^2 beside |q| L; a little keeps the optimum unique
+  double step = 2.0;         ///< rho of ADMM: speed only
+  double cone_rad = 1.2;     ///< the gradient stays this near the harmonic one: no critical points
+  int direction_rounds = 4;  ///< averages of the direction over neighbours, per update
+};
+
+/// The field and what the optimisation goes on from.
+struct EvenField {
+  std::vector<double> phi;      ///< per vertex: 0 on the outer loop, `turns` on the centre
+  std::vector<Vec2> direction;  ///< per triangle, unit, in its frame: where phi is asked to grow
+  std::vector<Vec2> dual;       ///< per triangle: ADMM's scaled multiplier
+  double turns = 0.0;
+  std::vector<double> float_levels;  ///< phi - theta on each floating hole
+};
+
+/// The optimisation on one domain: one factorisation, any number of improvements.
+/// Minimises sum A (|q| + mu |q|^2 / 2 g) + bend |Laplacian phi|^2 over q = grad phi with q . d >= g = gain / L(d):
+/// planner.md's field, by ADMM with the closed form in each triangle.
+class EvenFieldSolver {
+ public:
+  /// `float_levels`: the value of phi - theta held on each floating hole; nothing: constant there, but free.
+  /// Errors: as SparseSolver::factor.
+  static Result<EvenFieldSolver> build(const EvenDomain& domain, const IntervalRule& rule,
+                                       const EvenFieldOptions& options,
+                                       const std::optional<std::vector<double>>& float_levels);
+
+  /// Harmonic slit map (0 outside, 1 at the centre, no flux through the floating holes), its levels stretched so that
+  /// the gradient reaches 1 / L on 99 % of each.
+  [[nodiscard]] EvenField start() const;
+  /// `outer` updates of the direction, `inner` steps of ADMM after each. `gain` per triangle multiplies g.
+  /// The same bytes on any number of threads.
+  void improve(EvenField& field, std::span<const double> gain, int outer, int inner) const;
+
+ private:
+  EvenFieldSolver(const EvenDomain& domain, const IntervalRule& rule, const EvenFieldOptions& options);
+  void number_unknowns(const std::optional<std::vector<double>>& float_levels);
+  [[nodiscard]] SparseMatrix reduction() const;
+  Result<void> solve_harmonic();
+  Result<void> assemble();
+  [[nodiscard]] std::vector<double> values(const Eigen::VectorXd& unknowns) const;
+  [[nodiscard]] Eigen::VectorXd load(std::span<const Vec2> flux) const;
+  void turn_directions(EvenField& field, std::span<const Vec2> gradient) const;
+  void smooth_directions(std::vector<Vec2>& direction) const;
+  [[nodiscard]] std::vector<double> needed_gradient(std::span<const Vec2> direction,
+                                                    std::span<const double> gain) const;
+
+  const EvenDomain* domain_;
+  IntervalRule rule_;
+  EvenFieldOptions options_;
+  VertexCorners corners_;
+  std::vector<int> unknown_;  ///< per vertex, -1: held
+  std::vector<double> held_;  ///< per vertex: added to the unknown (theta on floating holes)
+  int unknown_count_ = 0, centre_unknown_ = 0;
+  std::vector<double> usual_per_mm_;  ///< per triangle: 1 / L at the mean curvature
+  std::vector<double> harmonic_;      ///< 0 outside, 1 at the centre
+  std::vector<Vec2> harmonic_direction_, held_gradient_;
+  Eigen::VectorXd bend_load_;
+  std::optional<SparseSolver> solver_;
+};
+
+}  // namespace volute::planner

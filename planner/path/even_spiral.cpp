@@ -1,0 +1,73 @@
+#include "planner/path/even_spiral.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "geometry/mesh_measure.hpp"
+#include "planner/path/even_centre.hpp"
+#include "planner/path/even_loop.hpp"
+#include "planner/path/even_measure.hpp"
+#include "planner/surface/condition.hpp"
+
+namespace volute::planner {
+namespace {
+
+using geometry::Angle;
+
+/// The field as a picture: each vertex at the angle theta and the radius left to the centre.
+MapDrawing drawing_of(const EvenDomain& domain, const EvenField& field) {
+  MapDrawing map;
+  for (std::size_t v = 0; v < field.phi.size(); ++v) {
+    const double angle = 2.0 * std::numbers::pi * domain.theta.vertex[v], radius = field.turns + 1.0 - field.phi[v];
+    map.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  map.triangles = domain.mesh.triangles;
+  if (!domain.slit_P.empty()) map.bridges_P.push_back(domain.slit_P);
+  return map;
+}
+
+PathReport report_of(const EvenRound& round, const IntervalField& interval, const PathOptions& options) {
+  PathReport report;
+  report.strategy = "spiral";
+  report.method = "even";
+  report.length_mm = path_length_mm(round.cc);
+  report.lower_bound_mm = interval.lower_bound_mm();
+  report.length_ratio = report.length_mm / report.lower_bound_mm;
+  report.pieces = static_cast<int>(round.cc.pieces.size());
+  for (const CcPiece& piece : round.cc.pieces) report.cc_points += static_cast<int>(piece.points.size());
+  const double chord_mm = 0.5 * path_interval_mm(interval.rule().radius_mm, options.scallop_mm, 0.0);
+  report.sharp_corners = sharp_corners(round.cc, chord_mm, Angle::degrees(35.0));
+  report.sharp_corners_60 = sharp_corners(round.cc, chord_mm, Angle::degrees(60.0));
+  report.scallop_ratio_p9999 = round.scallop.p9999_ratio;
+  report.scallop_ratio_max = round.scallop.max_ratio;
+  report.scallop_area_above_percent = round.scallop.area_above_percent;
+  return report;
+}
+
+}  // namespace
+
+Result<CcPathResult> plan_even_spiral(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
+                                      const PathOptions& options, const OrientationOptions& orientation) {
+  auto conditioned = condition(surface);
+  if (!conditioned) return tl::unexpected(conditioned.error());
+  const auto prepared = EvenSurface::build(std::move(conditioned->mesh));
+  if (!prepared) return tl::unexpected(prepared.error());
+  const IntervalField interval(prepared->mesh, interval_rule(cutter, options.scallop_mm, orientation));
+  const auto centre = choose_centre(*prepared, interval.rule(), options);
+  if (!centre) return tl::unexpected(centre.error());
+  const auto domain = even_domain(*prepared, *centre);
+  if (!domain) return tl::unexpected(domain.error());
+  auto round = even_rounds(*domain, interval.rule(), EvenLoopOptions{});
+  if (!round) return tl::unexpected(round.error());
+
+  CcPathResult out;
+  out.surface.triangles = static_cast<int>(surface.triangles.size());
+  out.surface.boundary_loops = static_cast<int>(prepared->topology.boundary_loops().size());
+  out.surface.area_mm2 = geometry::area_mm2(surface);
+  out.report = report_of(*round, interval, options);
+  out.map = drawing_of(*domain, round->field);
+  out.path = std::move(round->cc);
+  return out;
+}
+
+}  // namespace volute::planner

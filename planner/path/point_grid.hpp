@@ -1,0 +1,84 @@
+// Points in cubic cells: what lies near a place, in a fixed order.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "geometry/mesh.hpp"
+
+namespace volute::planner {
+
+/// Requires: cell_mm > 0. Cells are made larger where they would be more than 2^22.
+class PointGrid {
+ public:
+  PointGrid(std::span<const geometry::Vec3> points, double cell_mm) : points_(points), cell_mm_(cell_mm) {
+    geometry::Vec3 high = geometry::Vec3::Constant(-1e300);
+    low_ = -high;
+    for (const auto& p : points) {
+      low_ = low_.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    if (points.empty()) low_ = high = geometry::Vec3::Zero();
+    constexpr double cells_max = 4194304.0;
+    for (; cells_over(high) > cells_max; cell_mm_ *= 1.25) {
+    }
+    for (int d = 0; d < 3; ++d)
+      count_[static_cast<std::size_t>(d)] = static_cast<long>((high[d] - low_[d]) / cell_mm_) + 1;
+    start_.assign(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]) + 1, 0);
+    for (const auto& p : points) ++start_[number(p) + 1];
+    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+    order_.resize(points.size());
+    std::vector<geometry::Index> next(start_.begin(), start_.end() - 1);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      order_[static_cast<std::size_t>(next[number(points[i])]++)] = static_cast<geometry::Index>(i);
+    }
+  }
+
+  /// Calls visit(index) for every point of the cells within `reach_mm` of `place`: all points so near, and some farther
+  /// ones.
+  template <class Visit>
+  void near(const geometry::Vec3& place, double reach_mm, Visit visit) const {
+    std::array<long, 3> from{}, to{};
+    for (int d = 0; d < 3; ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      from[k] = std::max(0L, static_cast<long>(std::floor((place[d] - reach_mm - low_[d]) / cell_mm_)));
+      to[k] = std::min(count_[k] - 1, static_cast<long>(std::floor((place[d] + reach_mm - low_[d]) / cell_mm_)));
+    }
+    for (long x = from[0]; x <= to[0]; ++x) {
+      for (long y = from[1]; y <= to[1]; ++y) {
+        if (from[2] > to[2]) continue;
+        const std::size_t row = static_cast<std::size_t>((x * count_[1] + y) * count_[2]);
+        const auto begin = start_[row + static_cast<std::size_t>(from[2])],
+                   end = start_[row + static_cast<std::size_t>(to[2]) + 1];
+        for (auto i = begin; i < end; ++i) visit(order_[static_cast<std::size_t>(i)]);
+      }
+    }
+  }
+  [[nodiscard]] double cell_mm() const { return cell_mm_; }
+
+ private:
+  [[nodiscard]] double cells_over(const geometry::Vec3& high) const {
+    double cells = 1.0;
+    for (int d = 0; d < 3; ++d) cells *= std::floor((high[d] - low_[d]) / cell_mm_) + 1.0;
+    return cells;
+  }
+  [[nodiscard]] std::size_t number(const geometry::Vec3& p) const {
+    std::array<long, 3> cell{};
+    for (int d = 0; d < 3; ++d) {
+      const auto k = static_cast<std::size_t>(d);
+      cell[k] = std::min(static_cast<long>((p[d] - low_[d]) / cell_mm_), count_[k] - 1);
+    }
+    return static_cast<std::size_t>((cell[0] * count_[1] + cell[1]) * count_[2] + cell[2]);
+  }
+
+  std::span<const geometry::Vec3> points_;
+  double cell_mm_;
+  geometry::Vec3 low_;
+  std::array<long, 3> count_{};
+  std::vector<geometry::Index> start_, order_;
+};
+
+}  // namespace volute::planner

@@ -1,0 +1,30 @@
+// The scallops that a path really leaves, measured densely: where the surface's normal enters the union of the balls
+// along the path.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/mesh.hpp"
+#include "planner/path/cc_path.hpp"
+
+namespace volute::planner {
+
+using geometry::Index;
+using geometry::TriangleMesh;
+
+struct ScallopMap {
+  std::vector<double> worst_ratio;  ///< per triangle: greatest height over the allowed one
+  ScallopStatistics statistics;     ///< weighted by area
+};
+
+/// Heights at `per_edge`^2 points of each triangle: balls of radius r stand on the path's CC points (centre CC + r
+/// normal), densely along each segment of each piece. The height at a point x with normal n is the least t with x + t n
+/// inside a ball; where no ball is met it is r: uncut. Heights below 0 (a ball that gouges) count as they are.
+/// Accuracy: the balls' spacing of an interval over 20 adds at most 0.3 % of the allowed height.
+/// Requires: radius > scallop > 0, one normal a vertex. Deterministic on any number of threads.
+/// Properties: 1. On a plane, passes at the exact interval give ratio 1. 2. No pass lowers a height when removed.
+ScallopMap measure_scallop(const TriangleMesh& mesh, std::span<const Vec3> vertex_normals, const CcPath& path,
+                           double radius_mm, double scallop_mm, int per_edge = 3);
+
+}  // namespace volute::planner
