@@ -1,0 +1,108 @@
+#include "planner/path/cc_path.hpp"
+
+#include <string>
+
+#include "geometry/mesh_measure.hpp"
+#include "geometry/number_text.hpp"
+#include "planner/path/guided_path.hpp"
+#include "planner/path/path_interval.hpp"
+
+#if __has_include("planner/path/even_spiral.hpp")
+#include "planner/path/even_spiral.hpp"
+#endif
+
+namespace volute::planner {
+
+using geometry::bad_input;
+using geometry::MeshTopology;
+
+namespace {
+
+Result<void> check_options(const kinematics::Cutter& cutter, const PathOptions& options,
+                           const OrientationOptions& orientation) {
+  const auto text = [](double x) { return geometry::short_text(x); };
+  const IntervalRule rule = interval_rule(cutter, 1.0, orientation);
+  if (!(options.scallop_mm > 0.0) || !(options.scallop_mm < rule.radius_mm))
+    return bad_input("path-scallop", "path.scallop_mm = " + text(options.scallop_mm) +
+                                         ": it must lie between 0 and the cutter's effective radius, " +
+                                         text(rule.radius_mm) + " mm");
+  if (!(options.tolerance_mm > 0.0))
+    return bad_input("path-tolerance", "path.tolerance_mm = " + text(options.tolerance_mm) + ": it must be above 0");
+  if (options.from_turn && options.to_turn && *options.from_turn >= *options.to_turn)
+    return bad_input("path-turns", "path.from_turn = " + text(*options.from_turn) +
+                                       " is not below path.to_turn = " + text(*options.to_turn));
+  return {};
+}
+
+/// geometry::machinable_surface refuses these too; a caller that skipped it hears why here.
+Result<SurfaceReport> check_surface(const geometry::TriangleMesh& surface) {
+  const auto topology = MeshTopology::build(surface);
+  if (!topology) return tl::unexpected(topology.error());
+  const auto& components = topology->components();
+  if (components.size() != 1)
+    return bad_input("surface-several-components", "the surface has " + std::to_string(components.size()) +
+                                                       " components: a path covers one; choose one of them");
+  if (components[0].handles > 0)
+    return bad_input("surface-handles",
+                     "the surface has " + std::to_string(components[0].handles) + " handles: cut it into patches");
+  if (topology->boundary_loops().empty())
+    return bad_input("surface-closed",
+                     "the surface has no boundary: a path has nowhere to start; cut it open or select a patch");
+  SurfaceReport report;
+  report.triangles = static_cast<int>(surface.triangles.size());
+  report.boundary_loops = static_cast<int>(topology->boundary_loops().size());
+  report.area_mm2 = geometry::area_mm2(surface);
+  return report;
+}
+
+#if __has_include("planner/path/even_spiral.hpp")
+/// The optimised field; where it cannot hold one piece, the periodic one with a word on why.
+Result<CcPathResult> even_or_periodic(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
+                                      const PathOptions& options, const OrientationOptions& orientation) {
+  auto even = plan_even_spiral(surface, cutter, options, orientation);
+  if (even) return even;
+  PathOptions periodic = options;
+  periodic.method = Method::periodic;
+  auto result = plan_guided_path(surface, cutter, periodic, orientation);
+  if (result)
+    result->report.notes.insert(result->report.notes.begin(),
+                                "even: " + even.error().message + "; method periodic took its place");
+  return result;
+}
+#else
+Result<CcPathResult> even_or_periodic(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
+                                      const PathOptions& options, const OrientationOptions& orientation) {
+  return plan_guided_path(surface, cutter, options, orientation);
+}
+#endif
+
+Result<CcPathResult> plan_by_strategy(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
+                                      const PathOptions& options, const OrientationOptions& orientation) {
+  switch (options.strategy) {
+    case Strategy::spiral:
+      if (options.method == Method::even) return even_or_periodic(surface, cutter, options, orientation);
+      return plan_guided_path(surface, cutter, options, orientation);
+    case Strategy::contour_parallel:
+      return plan_guided_path(surface, cutter, options, orientation);
+    default:
+      break;
+  }
+  return bad_input("path-strategy", "path.strategy: this build knows spiral and contour-parallel only");
+}
+
+}  // namespace
+
+Result<CcPathResult> plan_cc_path(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
+                                  const PathOptions& options, const OrientationOptions& orientation) {
+  if (auto checked = check_options(cutter, options, orientation); !checked) return tl::unexpected(checked.error());
+  const auto report = check_surface(surface);
+  if (!report) return tl::unexpected(report.error());
+  auto result = plan_by_strategy(surface, cutter, options, orientation);
+  if (!result) return result;
+  result->surface.triangles = report->triangles;
+  result->surface.boundary_loops = report->boundary_loops;
+  result->surface.area_mm2 = report->area_mm2;
+  return result;
+}
+
+}  // namespace volute::planner

@@ -1,0 +1,187 @@
+#include "planner/path/path_measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "geometry/mesh_measure.hpp"
+#include "planner/path/point_grid.hpp"
+#include "planner/path/scallop_map.hpp"
+
+namespace volute::planner {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double samples_per_interval = 16.0;  ///< for corners
+constexpr int scallop_samples_per_edge = 3;
+
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+/// Angle between the chords of `window` samples before and behind sample i.
+double turning_at(std::span<const Vec3> points, std::size_t i, std::size_t window) {
+  return angle_between(points[i] - points[i - window], points[i + window] - points[i]);
+}
+
+double piece_length_mm(const CcPiece& piece) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < piece.points.size(); ++i)
+    length += (piece.points[i].point_P_mm - piece.points[i - 1].point_P_mm).norm();
+  return length;
+}
+
+/// Largest direction change at the places where the path crosses the map's seam, deg.
+double seam_kink_deg(std::span<const Vec3> crossings, std::span<const Vec3> points, double spacing_mm,
+                     std::size_t window) {
+  const PointGrid grid(points, 4.0 * spacing_mm);
+  double worst = 0.0;
+  for (const Vec3& crossing : crossings) {
+    std::optional<std::size_t> nearest;
+    grid.near(crossing, 4.0 * spacing_mm, [&](Index i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (!nearest || (points[k] - crossing).squaredNorm() < (points[*nearest] - crossing).squaredNorm()) nearest = k;
+    });
+    if (nearest && *nearest >= window && *nearest + window < points.size())
+      worst = std::max(worst, turning_at(points, *nearest, window));
+  }
+  return worst / degree;
+}
+
+/// Samples of the path that belong to passes.
+struct TurnSamples {
+  std::vector<Vec3> points;
+  std::vector<double> turns;
+};
+TurnSamples turn_samples(const CcPath& path, double spacing_mm) {
+  TurnSamples samples;
+  for (const CcPiece& piece : path.pieces) {
+    for (std::size_t i = 1; i < piece.points.size(); ++i) {
+      const CcPoint &p = piece.points[i - 1], &q = piece.points[i];
+      if (q.link) continue;
+      const int parts = std::max(1, static_cast<int>(std::ceil((q.point_P_mm - p.point_P_mm).norm() / spacing_mm)));
+      for (int k = 0; k < parts; ++k) {
+        const double share = static_cast<double>(k) / parts;
+        samples.points.push_back(p.point_P_mm + share * (q.point_P_mm - p.point_P_mm));
+        samples.turns.push_back(p.turn + share * (q.turn - p.turn));
+      }
+    }
+  }
+  return samples;
+}
+
+/// Greatest distance from a turn to the next one over the interval allowed between them.
+double interval_ratio_max(const TriangleMesh& surface, const IntervalField& intervals, const CcPath& path) {
+  const double flat_mm = intervals.rule().interval_mm(0.0), reach_mm = 3.0 * flat_mm;
+  const TurnSamples samples = turn_samples(path, 0.125 * flat_mm);
+  const PointGrid grid(samples.points, flat_mm);
+  std::vector<Vec3> centroids;
+  for (const geometry::Triangle& t : surface.triangles) {
+    const auto at = [&](std::size_t k) -> const Vec3& { return surface.vertices_mm[static_cast<std::size_t>(t[k])]; };
+    centroids.emplace_back((at(0) + at(1) + at(2)) / 3.0);
+  }
+  const PointGrid triangles(centroids, flat_mm);
+  const auto normals = geometry::triangle_normals(surface);
+  double worst = 0.0;
+  const double turns_max = samples.turns.empty() ? 0.0 : *std::max_element(samples.turns.begin(), samples.turns.end());
+  for (std::size_t i = 0; i < samples.points.size(); i += 4) {
+    const Vec3& here = samples.points[i];
+    // The first turn's start and the last turn have no whole turn beside them.
+    if (samples.turns[i] < 0.05 || samples.turns[i] > turns_max - 1.05) continue;
+    double nearest_mm = reach_mm;
+    std::size_t next = i;
+    grid.near(here, reach_mm, [&](Index j) {
+      const auto k = static_cast<std::size_t>(j);
+      const double distance = (samples.points[k] - here).norm(), turns = samples.turns[k] - samples.turns[i];
+      if (distance >= nearest_mm || turns < 0.6 || turns > 1.4) return;
+      nearest_mm = distance;
+      next = k;
+    });
+    if (next == i) continue;
+    const Vec3 middle = 0.5 * (here + samples.points[next]);
+    std::optional<std::size_t> triangle;
+    triangles.near(middle, flat_mm, [&](Index j) {
+      const auto k = static_cast<std::size_t>(j);
+      if (!triangle || (centroids[k] - middle).squaredNorm() < (centroids[*triangle] - middle).squaredNorm())
+        triangle = k;
+    });
+    if (!triangle) continue;
+    Vec3 across = samples.points[next] - here;
+    across -= across.dot(normals[*triangle]) * normals[*triangle];
+    if (across.isZero()) continue;
+    worst = std::max(worst, nearest_mm / intervals.interval_mm(static_cast<Index>(*triangle), across.normalized()));
+  }
+  return worst;
+}
+
+int count_links(const CcPiece& piece) {
+  int links = 0;
+  for (std::size_t i = 0; i < piece.points.size(); ++i)
+    if (piece.points[i].link && (i == 0 || !piece.points[i - 1].link)) ++links;
+  return links;
+}
+
+}  // namespace
+
+std::vector<Vec3> even_points(const CcPiece& piece, double spacing_mm) {
+  const double length = piece_length_mm(piece);
+  if (piece.points.size() < 2 || length <= 0.0) return {};
+  const auto spans = static_cast<std::size_t>(std::ceil(length / spacing_mm));
+  std::vector<Vec3> points;
+  double behind = 0.0;  // length up to point i - 1
+  std::size_t i = 1;
+  for (std::size_t k = 0; k <= spans; ++k) {
+    const double wanted = length * static_cast<double>(k) / static_cast<double>(spans);
+    double chord = (piece.points[i].point_P_mm - piece.points[i - 1].point_P_mm).norm();
+    while (i + 1 < piece.points.size() && behind + chord < wanted) {
+      behind += chord;
+      ++i;
+      chord = (piece.points[i].point_P_mm - piece.points[i - 1].point_P_mm).norm();
+    }
+    const double share = chord > 0.0 ? std::min(1.0, (wanted - behind) / chord) : 0.0;
+    points.emplace_back(piece.points[i - 1].point_P_mm +
+                        share * (piece.points[i].point_P_mm - piece.points[i - 1].point_P_mm));
+  }
+  return points;
+}
+
+int count_corners(std::span<const Vec3> even, double spacing_mm, double window_mm, double angle_rad) {
+  const auto window = static_cast<std::size_t>(std::max(1L, std::lround(window_mm / spacing_mm)));
+  int corners = 0;
+  std::size_t last = 0;
+  for (std::size_t i = window; i + window < even.size(); ++i) {
+    if (turning_at(even, i, window) <= angle_rad) continue;
+    if (corners == 0 || i - last > window) ++corners;
+    last = i;
+  }
+  return corners;
+}
+
+void measure_path(const MeasureRequest& request, const CcPath& path, PathReport& report) {
+  const IntervalRule& rule = request.intervals.rule();
+  const double flat_mm = rule.interval_mm(0.0), spacing_mm = flat_mm / samples_per_interval;
+  report.pieces = static_cast<int>(path.pieces.size());
+  report.lower_bound_mm = request.intervals.lower_bound_mm();
+  for (const CcPiece& piece : path.pieces) {
+    const std::vector<Vec3> even = even_points(piece, spacing_mm);
+    report.length_mm += piece_length_mm(piece);
+    report.cc_points += static_cast<int>(piece.points.size());
+    report.linkings += count_links(piece);
+    report.sharp_corners += count_corners(even, spacing_mm, 0.5 * flat_mm, 35.0 * degree);
+    report.sharp_corners_60 += count_corners(even, spacing_mm, 0.5 * flat_mm, 60.0 * degree);
+    if (!request.seam_crossings_mm.empty())
+      report.seam_kink_max_deg =
+          std::max(report.seam_kink_max_deg.value_or(0.0),
+                   seam_kink_deg(request.seam_crossings_mm, even, spacing_mm, samples_per_interval / 2));
+  }
+  report.length_ratio = report.length_mm / report.lower_bound_mm;
+  if (request.spiral_turns) report.interval_ratio_max = interval_ratio_max(request.surface, request.intervals, path);
+  const auto scallop = measure_scallop(request.surface, geometry::vertex_normals(request.surface), path, rule.radius_mm,
+                                       rule.scallop_mm, scallop_samples_per_edge)
+                           .statistics;
+  report.scallop_ratio_p9999 = scallop.p9999_ratio;
+  report.scallop_ratio_max = scallop.max_ratio;
+  report.scallop_area_above_percent = scallop.area_above_percent;
+}
+
+}  // namespace volute::planner

@@ -1,0 +1,31 @@
+// What a path is worth: length over its lower bound, corners, intervals, scallops. The same measures for every
+// strategy.
+#pragma once
+
+#include <span>
+
+#include "planner/path/cc_path.hpp"
+#include "planner/path/path_interval.hpp"
+
+namespace volute::planner {
+
+struct MeasureRequest {
+  const TriangleMesh& surface;
+  const IntervalField& intervals;  ///< of the same mesh
+  std::span<const Vec3> seam_crossings_mm;
+  bool spiral_turns = false;  ///< CcPoint::turn grows along the path, one a turn: intervals can be measured
+};
+
+/// Fills `report` from `path` (all but strategy, method, rapid_traversals, liftings and notes). Definitions:
+/// docs/paths.md. Properties: 1. Corners of a square spiral are counted one by one. 2. Lengths do not depend on how
+/// densely points stand.
+void measure_path(const MeasureRequest& request, const CcPath& path, PathReport& report);
+
+/// Places where chords of `window_mm` before and behind differ by more than `angle_rad`; places nearer than a window
+/// are one.
+int count_corners(std::span<const Vec3> even_points, double spacing_mm, double window_mm, double angle_rad);
+
+/// Points every `spacing_mm` (a little less) along a piece, ends included.
+std::vector<Vec3> even_points(const CcPiece& piece, double spacing_mm);
+
+}  // namespace volute::planner

@@ -1,0 +1,38 @@
+// The spiral, and the contour-parallel passes, of a guide field: chains of raw points on the surface.
+#pragma once
+
+#include <vector>
+
+#include "planner/path/cc_curve.hpp"
+#include "planner/path/guide_field.hpp"
+
+namespace volute::planner {
+
+/// A stretch of path that is smooth in itself; `link`: it leads from one pass to the next.
+struct RawStretch {
+  std::vector<RawPoint> points;
+  bool link = false;
+};
+
+struct GuidePath {
+  std::vector<RawStretch> stretches;  ///< each starts where the one before ends
+  std::vector<Vec3> seam_crossings_mm;
+  std::vector<std::vector<geometry::Vec2>> map_lines;  ///< the guide lines in the map
+  int lines_dropped = 0;  ///< level lines that are no part of the spiral (0 for a sound map)
+};
+
+/// Which way round, seen along the outer normal.
+enum class Sense { counter_clockwise, clockwise };
+
+/// One spiral from the outer boundary to the inner one: half a turn along the outer boundary, the guide line of eq. 11,
+/// half a turn along the inner boundary. Departs from the source: eq. 11 starts on the seam and leaves the boundaries'
+/// wedges uncut; here the guide line starts half a turn behind the seam and half turns along the boundaries belong to
+/// the path. Errors (bad_input): path-broken (the guide line does not reach the inner boundary; says where it ends).
+Result<GuidePath> spiral_of(const Annulus& annulus, const GuideField& field, Sense sense);
+
+/// Closed passes at whole numbers of turns, eq. 10, from the outer boundary itself to the inner boundary itself, each
+/// joined to the next by a link across. Departs from the source: the inner boundary is a pass too. Errors (bad_input):
+/// path-broken.
+Result<GuidePath> contours_of(const Annulus& annulus, const GuideField& field, Sense sense);
+
+}  // namespace volute::planner
