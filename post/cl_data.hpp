@@ -16,8 +16,8 @@ struct ClData {
   kinematics::Tool tool;
   double spindle_rpm = 0.0;
   bool coolant = false;
-  kinematics::ToolPath path;           ///< tip points (CL points) with axes; CC points are not part of CL data
-  std::vector<std::string> warnings;   ///< statements passed over, with their lines
+  kinematics::ToolPath path;          ///< tip points (CL points) with axes; CC points are not part of CL data
+  std::vector<std::string> warnings;  ///< statements passed over, with their lines
 };
 
 /// Errors (bad_input): cl-syntax, cl-no-motion, naming file and line.

@@ -1,0 +1,86 @@
+#include "post/post.hpp"
+
+#include <cmath>
+
+#include "geometry/number_text.hpp"
+#include "post/program.hpp"
+#include "post/rotary_words.hpp"
+
+namespace volute::post {
+
+using kinematics::MoveKind;
+using kinematics::ToolPath;
+using kinematics::ToolPathPoint;
+
+namespace {
+
+constexpr double clearance_mm = 50.0;  // along the tool axis, where a foreign path starts or ends on the part
+
+Result<void> check(const PostRequest& request) {
+  if (request.path.points.empty())
+    return geometry::bad_input("post-no-motion", "the tool path has no point; there is nothing to post");
+  if (!(request.tolerance_mm > 0.0))
+    return geometry::bad_input("post-tolerance",
+                               "tolerance_mm = " + geometry::short_text(request.tolerance_mm) + " must be above 0");
+  for (std::size_t i = 0; i < request.path.points.size(); ++i) {
+    const ToolPathPoint& point = request.path.points[i];
+    if (point.move == MoveKind::rapid || (point.feed_mm_s > 0.0 && std::isfinite(point.feed_mm_s))) continue;
+    return geometry::bad_input("post-feed", "point " + std::to_string(i) + " of the tool path has feed " +
+                                                geometry::short_text(point.feed_mm_s) +
+                                                " mm/s; a move that is no rapid needs a feed above 0");
+  }
+  return {};
+}
+
+ToolPathPoint above(const ToolPathPoint& point, MoveKind move) {
+  ToolPathPoint lifted = point;
+  lifted.pose.tip_P_mm += clearance_mm * point.pose.axis_P;
+  lifted.move = move;
+  return lifted;
+}
+
+// A path that starts at feed is approached along its axis, and one that ends in the cut is left so.
+ToolPath with_safe_ends(const ToolPath& path) {
+  ToolPath safe;
+  safe.points.reserve(path.points.size() + 2);
+  const ToolPathPoint& last = path.points.back();
+  if (path.points.front().move != MoveKind::rapid) safe.points.push_back(above(path.points.front(), MoveKind::rapid));
+  safe.points.insert(safe.points.end(), path.points.begin(), path.points.end());
+  if (last.move != MoveKind::rapid && last.move != MoveKind::retract)
+    safe.points.push_back(above(last, MoveKind::retract));
+  return safe;
+}
+
+kinematics::AxisPathOptions options_for(const PostRequest& request, const kinematics::Control& control) {
+  kinematics::AxisPathOptions options;
+  options.chordal_tolerance_mm = request.tolerance_mm;
+  options.control_keeps_tip = control.tcp;
+  options.great_circle = control.orientation_interpolation == kinematics::OrientationInterpolation::great_circle;
+  return options;
+}
+
+}  // namespace
+
+Result<PostResult> post(const PostRequest& request, const kinematics::Profile& profile) {
+  if (auto checked = check(request); !checked) return tl::unexpected(checked.error());
+  const ToolPath path = with_safe_ends(request.path);
+  auto solved =
+      kinematics::solve_path(profile.machine, request.setup, request.tool, path, options_for(request, profile.control));
+  if (!solved) return tl::unexpected(solved.error());
+  if (profile.control.rotary_shortest_way)
+    solved->path = split_long_turns(profile.machine, request.setup, request.tool.gauge_length_mm, solved->path);
+
+  Program program(request, profile, solved->path);
+  program.begin();
+  program.enter(solved->path.points.front());
+  program.motion();
+  program.leave();
+  program.end();
+  auto result = program.finish();
+  if (!result) return result;
+  result->axis_path = std::move(solved->path);
+  result->linearization = solved->report;
+  return result;
+}
+
+}  // namespace volute::post
