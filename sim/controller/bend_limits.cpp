@@ -9,8 +9,8 @@ namespace {
 constexpr int axes = kinematics::axis_count;
 }
 
-// u = (x1 - x0) / (2 length). At the start the axis accelerates by curvature x0 + rate u, at the end by curvature x1 +
-// end rate u.
+// u = (x1 - x0) / (2 length). At the start the axis accelerates by curvature x0 + rate u, at the end by curvature x1 + end
+// rate u.
 BendLimits::BendLimits(const PathCell& cell) {
   const double half = 0.5 / cell.length;
   for (int i = 0; i < axes; ++i) {
@@ -24,92 +24,84 @@ BendLimits::BendLimits(const PathCell& cell) {
     from_weight_[b] = -end_rate;
     to_weight_[b] = bend + end_rate;
   }
-}
-
-/// The lowest of the upper bounds on x0 at this x1, as a line in x1.
-BendLimits::Line BendLimits::bound_at(double end_sq) const {
-  Line lowest{no_limit, 0.0, -1};
-  double least = no_limit;
-  for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j) {
+  for (std::size_t j = 0; j < from_weight_.size(); ++j) {
     const double weight = from_weight_[j];
-    if (weight == 0.0) continue;
-    const Line line{1.0 / std::abs(weight), -to_weight_[j] / weight, static_cast<int>(j) % axes};
-    const double value = line.at_zero + line.slope * end_sq;
-    if (value < least || (value == least && line.slope < lowest.slope)) {
-      least = value;
-      lowest = line;
+    if (weight != 0.0) {
+      at_zero_[j] = 1.0 / std::abs(weight);
+      slope_[j] = -to_weight_[j] / weight;
+      continue;
     }
+    at_zero_[j] = no_limit;
+    if (to_weight_[j] != 0.0) end_sq_max_ = std::min(end_sq_max_, 1.0 / std::abs(to_weight_[j]));
   }
-  return lowest;
 }
 
-BendLimits::Bounds BendLimits::bounds_at(double end_sq) const {
-  Bounds bounds{bound_at(end_sq), {-no_limit, 0.0, -1}};
-  double greatest = -no_limit;
-  for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j) {
-    const double weight = from_weight_[j];
-    if (weight == 0.0) continue;
-    const Line line{-1.0 / std::abs(weight), -to_weight_[j] / weight, static_cast<int>(j) % axes};
-    const double value = line.at_zero + line.slope * end_sq;
+/// The lowest of the upper bounds on x0 at this x1; of two that meet there the one that falls.
+BendLimits::Line BendLimits::lowest_upper(double end_sq) const {
+  std::size_t best = 0;
+  double least = at_zero_[0] + slope_[0] * end_sq;
+  for (std::size_t j = 1; j < at_zero_.size(); ++j) {
+    const double value = at_zero_[j] + slope_[j] * end_sq;
+    if (value > least || (value == least && slope_[j] >= slope_[best])) continue;
+    least = value;
+    best = j;
+  }
+  if (!std::isfinite(least)) return {no_limit, 0.0, -1};
+  return {at_zero_[best], slope_[best], static_cast<int>(best) % axes};
+}
+
+BendLimits::Line BendLimits::highest_lower(double end_sq) const {
+  std::size_t best = 0;
+  double greatest = -at_zero_[0] + slope_[0] * end_sq;
+  for (std::size_t j = 1; j < at_zero_.size(); ++j) {
+    const double value = -at_zero_[j] + slope_[j] * end_sq;
     if (value <= greatest) continue;
     greatest = value;
-    bounds.lower = line;
+    best = j;
   }
-  return bounds;
+  return {-at_zero_[best], slope_[best], static_cast<int>(best) % axes};
 }
 
 // Between the lowest upper and the highest lower bound on x0 there is room up to some x1; the room is concave in x1, so
 // Newton's steps from beyond come down to its end without passing it.
 double BendLimits::greatest_feasible_end(double end_sq_max) const {
-  double end_sq = end_sq_max;
-  for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j)
-    if (from_weight_[j] == 0.0 && std::abs(to_weight_[j]) * end_sq > 1.0) end_sq = 1.0 / std::abs(to_weight_[j]);
+  double end_sq = std::min(end_sq_max, end_sq_max_);
   for (int step = 0; step < 2 * count; ++step) {
-    const Bounds bounds = bounds_at(end_sq);
-    if (bounds.upper.axis < 0) break;
-    const double room =
-        bounds.upper.at_zero - bounds.lower.at_zero + (bounds.upper.slope - bounds.lower.slope) * end_sq;
-    if (room >= 0.0) break;
-    end_sq = (bounds.upper.at_zero - bounds.lower.at_zero) / (bounds.lower.slope - bounds.upper.slope) * (1.0 - 1e-15);
+    const Line upper = lowest_upper(end_sq), lower = highest_lower(end_sq);
+    if (upper.axis < 0 || upper.at(end_sq) >= lower.at(end_sq)) break;
+    end_sq = (upper.at_zero - lower.at_zero) / (lower.slope - upper.slope) * (1.0 - 1e-15);
   }
   return end_sq;
 }
 
-// The bound is concave in x1: if it still rises at the greatest x1, that is the best; else two lines, one rising and
-// one falling, are brought together until they meet on the bound.
+// The bound is concave in x1: if it still rises at the greatest x1, that is the best; else two lines, one rising and one
+// falling, are brought together until they meet on the bound.
 BendLimits::Answer BendLimits::greatest_start(double end_sq_max, double start_sq_max) const {
   const double end_max = greatest_feasible_end(end_sq_max);
-  const Line right = bound_at(end_max);
-  if (right.axis < 0) return {start_sq_max, -1};
-  double best = right.at_zero + right.slope * end_max;
-  Line falling = right;
-  // A rising line that still caps below start_sq_max at the greatest end speed: the end speed decides, not this cell.
-  if (right.slope >= 0.0) return best < start_sq_max ? Answer{best, right.axis} : Answer{start_sq_max, -1};
-  Line rising = bound_at(0.0);
-  if (rising.slope <= 0.0)
-    return rising.at_zero < start_sq_max ? Answer{rising.at_zero, rising.axis} : Answer{start_sq_max, -1};
+  const auto answer = [&](double sq, int axis) {
+    return sq < start_sq_max ? Answer{sq, axis} : Answer{start_sq_max, -1};
+  };
+  Line falling = lowest_upper(end_max);
+  if (falling.axis < 0 || falling.slope >= 0.0) return answer(falling.at(end_max), falling.axis);
+  Line rising = lowest_upper(0.0);
+  if (rising.slope <= 0.0) return answer(rising.at_zero, rising.axis);
+  double best = falling.at(end_max);
   for (int turn = 0; turn < 2 * count; ++turn) {
     const double meet = (falling.at_zero - rising.at_zero) / (rising.slope - falling.slope);
-    const double level = rising.at_zero + rising.slope * meet;
-    const Line lowest = bound_at(meet);
-    const double bound = lowest.at_zero + lowest.slope * meet;
-    best = bound;
-    if (bound >= level * (1.0 - 1e-14)) break;
-    if (lowest.slope > 0.0)
-      rising = lowest;
-    else
-      falling = lowest;
+    const Line lowest = lowest_upper(meet);
+    best = lowest.at(meet);
+    if (best >= rising.at(meet) * (1.0 - 1e-14)) break;
+    (lowest.slope > 0.0 ? rising : falling) = lowest;
   }
-  return best < start_sq_max ? Answer{best, falling.axis} : Answer{start_sq_max, -1};
+  return answer(best, falling.axis);
 }
 
 BendLimits::Answer BendLimits::greatest_end(double start_sq, double end_sq_max) const {
   Answer answer{end_sq_max, -1};
-  for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j) {
+  for (std::size_t j = 0; j < to_weight_.size(); ++j) {
     const double weight = to_weight_[j];
     if (weight == 0.0) continue;
-    const double bound =
-        weight > 0.0 ? (1.0 - from_weight_[j] * start_sq) / weight : (-1.0 - from_weight_[j] * start_sq) / weight;
+    const double bound = ((weight > 0.0 ? 1.0 : -1.0) - from_weight_[j] * start_sq) / weight;
     if (bound < answer.sq) answer = {std::max(0.0, bound), static_cast<int>(j) % axes};
   }
   return answer;

@@ -22,19 +22,21 @@ class BendLimits {
   [[nodiscard]] Answer greatest_end(double start_sq, double end_sq_max) const;
 
  private:
+  /// A bound on x0 as a line in x1.
   struct Line {
     double at_zero = 0.0, slope = 0.0;
     int axis = -1;
+    [[nodiscard]] double at(double end_sq) const { return at_zero + slope * end_sq; }
   };
-  struct Bounds {
-    Line upper, lower;
-  };
-  [[nodiscard]] Line bound_at(double end_sq) const;
-  [[nodiscard]] Bounds bounds_at(double end_sq) const;
+  [[nodiscard]] Line lowest_upper(double end_sq) const;
+  [[nodiscard]] Line highest_lower(double end_sq) const;
   [[nodiscard]] double greatest_feasible_end(double end_sq_max) const;
 
   static constexpr int count = 2 * kinematics::axis_count;
   std::array<double, count> from_weight_{}, to_weight_{};
+  /// The upper bounds on x0 are at_zero_[j] + slope_[j] x1, the lower ones -at_zero_[j] + slope_[j] x1.
+  std::array<double, count> at_zero_{}, slope_{};
+  double end_sq_max_ = no_limit;  ///< from bounds in which x0 does not occur
 };
 
 }  // namespace volute::sim

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "geometry/check.hpp"
-#include "sim/controller/bend_limits.hpp"
 
 namespace volute::sim {
 
@@ -29,18 +28,23 @@ void SpeedProfile::append(const PathCell& cell) {
   last_sq_max_ = cell.speed_sq_max;
   last_limit_ = cell.limit;
   last_axis_ = cell.limit_axis;
+  if (!cell.hold && !cell.straight) node.bend.emplace(cell);
   window_.push_back(node);
 }
 
 void SpeedProfile::add_block(const std::vector<PathCell>& cells, std::vector<TimedCell>& ready) {
-  const std::size_t first_new = window_.size();
   for (const PathCell& cell : cells) append(cell);
   cells_of_block_.push_back(cells.size());
-  sweep_back(first_new);
-  while (cells_of_block_.size() > static_cast<std::size_t>(look_ahead_blocks_)) release(ready);
+  new_cells_ += cells.size();
+  if (cells_of_block_.size() <= static_cast<std::size_t>(look_ahead_blocks_)) return;
+  sweep_back(window_.size() - new_cells_);
+  new_cells_ = 0;
+  for (int left = std::max(1, look_ahead_blocks_ / 4); left > 0; --left) release(ready);
 }
 
 void SpeedProfile::finish(std::vector<TimedCell>& ready) {
+  sweep_back(window_.size() - new_cells_);
+  new_cells_ = 0;
   while (!cells_of_block_.empty()) release(ready);
   last_sq_max_ = 0.0;
   last_limit_ = Limit::stop;
@@ -65,7 +69,7 @@ void SpeedProfile::sweep_back(std::size_t first_new) {
       own = reach >= node.start_sq_max;
       if (!own) answer.sq = reach;
     } else {
-      answer = BendLimits(cell).greatest_start(end_sq, node.start_sq_max);
+      answer = node.bend->greatest_start(end_sq, node.start_sq_max);
       own = answer.axis < 0;
       if (!own && end_sq > answer.sq) {  // not the end but the bend itself is what holds the start down
         reason = cell.corner ? Limit::corner : Limit::axis_acceleration;
@@ -100,7 +104,7 @@ void SpeedProfile::release(std::vector<TimedCell>& ready) {
     else if (node.cell.straight)
       time_straight(node.cell, end_sq, reason, reason_axis, timed);
     else
-      time_bend(node.cell, end_sq, reason, reason_axis, timed);
+      time_bend(node, end_sq, reason, reason_axis, timed);
     ready.push_back(timed);
   }
   cells_of_block_.pop_front();
@@ -135,8 +139,9 @@ void SpeedProfile::time_straight(const PathCell& cell, double end_sq, Limit end_
   sq_now_ = reachable;
 }
 
-void SpeedProfile::time_bend(const PathCell& cell, double end_sq, Limit end_reason, int end_axis, TimedCell& timed) {
-  const BendLimits::Answer answer = BendLimits(cell).greatest_end(sq_now_, end_sq);
+void SpeedProfile::time_bend(const Node& node, double end_sq, Limit end_reason, int end_axis, TimedCell& timed) {
+  const PathCell& cell = node.cell;
+  const BendLimits::Answer answer = node.bend->greatest_end(sq_now_, end_sq);
   Limit limit = end_reason;
   int axis = end_axis;
   if (answer.axis >= 0) {  // speeding up as the axes allow

@@ -5,8 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <vector>
 
+#include "sim/controller/bend_limits.hpp"
 #include "sim/controller/path_cells.hpp"
 
 namespace volute::sim {
@@ -33,8 +35,8 @@ struct TimedCell {
 /// never slower. Source: reachability analysis of time-optimal path parameterization, two sweeps over x.
 class SpeedProfile {
  public:
-  /// Cells stay in the window until more than `look_ahead_blocks` blocks stand behind them. Requires: look_ahead_blocks
-  /// >= 1.
+  /// A control that holds n blocks plans them together and lets a quarter of them go at a time, so that every block is
+  /// timed with 3 n / 4 to n blocks known behind it. Requires: look_ahead_blocks >= 1.
   explicit SpeedProfile(int look_ahead_blocks) : look_ahead_blocks_(look_ahead_blocks) {}
 
   /// Adds the cells of one block and moves to `ready` what is now certain.
@@ -45,6 +47,7 @@ class SpeedProfile {
  private:
   struct Node {
     PathCell cell;
+    std::optional<BendLimits> bend;  ///< curved cells
     double start_sq_max = 0.0;  ///< of x at the cell's start: both neighbours' limits
     Limit start_limit = Limit::stop;
     int start_axis = -1;
@@ -56,12 +59,13 @@ class SpeedProfile {
   void sweep_back(std::size_t first_new);
   void release(std::vector<TimedCell>& ready);
   void time_straight(const PathCell& cell, double end_sq, Limit end_reason, int end_axis, TimedCell& timed);
-  void time_bend(const PathCell& cell, double end_sq, Limit end_reason, int end_axis, TimedCell& timed);
+  void time_bend(const Node& node, double end_sq, Limit end_reason, int end_axis, TimedCell& timed);
   void add_phase(TimedCell& timed, double from, double to, double from_sq, double to_sq, Limit limit, int axis) const;
 
   int look_ahead_blocks_;
   std::deque<Node> window_;
   std::deque<std::size_t> cells_of_block_;
+  std::size_t new_cells_ = 0;  ///< at the window's end, not swept yet
   double last_sq_max_ = 0.0;  ///< of the cell before the next one to come
   Limit last_limit_ = Limit::stop;
   int last_axis_ = -1;
