@@ -170,7 +170,7 @@ PlaneMesh mesh_plane(const PlaneRegion& region, double edge_mm) {
   std::vector<Kernel::Point_2> seeds;
   for (std::size_t h = 1; h < polygons.size(); ++h) seeds.push_back(seed_inside(polygons[h]));
   constexpr double least_sine_sq = 0.125;  // 20.7 degrees: the bound for which the mesher is proved to end
-  CGAL::refine_Delaunay_mesh_2(triangulation, seeds.begin(), seeds.end(), Criteria(least_sine_sq, 0.0));
+  CGAL::refine_Delaunay_mesh_2(triangulation, seeds.begin(), seeds.end(), Criteria(least_sine_sq, 1.2 * edge_mm));
   return collected(triangulation);
 }
 

@@ -95,7 +95,7 @@ std::vector<Part> parts() {
        [] {
          return wavy({ellipse(50, 50), {}});
        }},
-      {"mouse", [] { return mouse_shell(0.60); }},
+      {"mouse", [] { return mouse_shell(0.85); }},
       {"obstacle-plate",
        [] {
          return freeform({rounded_rectangle(80, 60, 8), {ellipse(14, 14, {{-8, 0}, 0})}});

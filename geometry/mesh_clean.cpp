@@ -56,19 +56,17 @@ std::optional<Index> partner_halfedge(const EdgeGroups& edges, const std::vector
 }
 
 /// One pass: every sliver goes, its neighbour is split; slivers next to each other wait for the next pass.
-Index remove_slivers_once(TriangleMesh& mesh, const std::vector<Index>& slivers) {
+void remove_slivers_once(TriangleMesh& mesh, const std::vector<Index>& slivers) {
   const EdgeGroups edges = group_edges(mesh);
   std::vector<Index> edge_of(3 * mesh.triangles.size());
   for (Index e = 0; e < edges.count(); ++e)
     for (const Index h : edges.group(e)) edge_of[at(h)] = e;
   std::vector<char> touched(mesh.triangles.size(), 0), gone(mesh.triangles.size(), 0);
-  Index removed = 0;
   for (const Index h : slivers) {
     const Index sliver = halfedge_triangle(h);
     if (touched[at(sliver)] != 0) continue;
     const std::optional<Index> across = partner_halfedge(edges, edge_of, h);
     if (across && touched[at(halfedge_triangle(*across))] != 0) continue;
-    ++removed;
     touched[at(sliver)] = 1;
     if (!across) {
       gone[at(sliver)] = 1;
@@ -81,7 +79,6 @@ Index remove_slivers_once(TriangleMesh& mesh, const std::vector<Index>& slivers)
     mesh.triangles[at(halfedge_triangle(*across))] = {middle, to, apex};
   }
   erase_marked(mesh, gone);
-  return removed;
 }
 
 struct KeyedTriangle {
@@ -118,12 +115,14 @@ Index remove_degenerate(TriangleMesh& mesh, double tolerance_mm) {
   for (int pass = 0; pass < most_passes; ++pass) {
     const std::vector<Index> slivers = sliver_halfedges(mesh, tolerance_mm);
     if (slivers.empty()) return removed;
-    removed += remove_slivers_once(mesh, slivers);
-    removed += remove_equal_corners(mesh);
+    if (pass == 0) removed += static_cast<Index>(slivers.size());  // later ones come from splitting these
+    remove_slivers_once(mesh, slivers);
+    remove_equal_corners(mesh);
   }
   std::vector<char> marked(mesh.triangles.size(), 0);
   for (const Index h : sliver_halfedges(mesh, tolerance_mm)) marked[at(halfedge_triangle(h))] = 1;
-  return removed + erase_marked(mesh, marked);
+  erase_marked(mesh, marked);
+  return removed;
 }
 
 Index remove_duplicates(TriangleMesh& mesh) {

@@ -17,9 +17,16 @@ using Mat3List = std::vector<Mat3>;
 std::size_t at(Index number) { return static_cast<std::size_t>(number); }
 
 /// `tensor`, tangent to the plane of normal `from`, turned by the least rotation into the plane of `to`.
+/// Where the surface folds back on itself no rotation is least: the tensor is only projected.
 Mat3 carried(const Mat3& tensor, const Vec3& from, const Vec3& to) {
-  const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
-  return turn * tensor * turn.transpose();
+  const double cosine = from.dot(to);
+  if (cosine < -0.99)
+    return (Mat3::Identity() - to * to.transpose()) * tensor * (Mat3::Identity() - to * to.transpose());
+  // R = I - (from + to)(from + to)' / (1 + cosine) + 2 to from'; R tensor R' with tensor * from = 0 leaves these terms.
+  const Vec3 bisector = (from + to) / (1.0 + cosine);
+  const Vec3 s_to = tensor * to;
+  const double to_s_to = to.dot(s_to);
+  return tensor - bisector * s_to.transpose() - s_to * bisector.transpose() + to_s_to * bisector * bisector.transpose();
 }
 
 /// The second fundamental form that explains best how the vertex normals change along the three edges.

@@ -4,6 +4,7 @@
 
 #include "geometry/check.hpp"
 #include "geometry/file.hpp"
+#include "geometry/mesh_damage.hpp"
 #include "geometry/mesh_formats.hpp"
 #include "geometry/number_text.hpp"
 #include "geometry/text_cursor.hpp"
@@ -71,12 +72,18 @@ Result<LoadedMesh> load_mesh(const std::filesystem::path& file, double unit_mm) 
   if (bytes->empty()) return bad_input("file-empty", file.string() + ": the file is empty; copy or export it again");
   Result<TriangleMesh> soup = parse_by_content(*bytes, file);
   if (!soup) return tl::unexpected(soup.error());
+  const bool is_soup = soup->vertices_mm.size() == 3 * soup->triangles.size();
+  if (is_exact_stl_binary(*bytes))
+    if (auto normals = check_stored_normals(*bytes, *soup, file.string()); !normals)
+      return tl::unexpected(normals.error());
   if (auto scaled = scale(*soup, unit_mm, file.string()); !scaled) return tl::unexpected(scaled.error());
   LoadedMesh loaded = weld(std::move(*soup));
   if (loaded.mesh.triangles.empty())
     return bad_input("mesh-empty",
                      file.string() + ": no triangle with an area is left of the file; check its unit and its contents");
   orient(loaded);
+  if (is_soup)
+    if (auto whole = check_torn(loaded.mesh, file.string()); !whole) return tl::unexpected(whole.error());
   return loaded;
 }
 

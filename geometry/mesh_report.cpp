@@ -81,16 +81,16 @@ TriangleMesh extracted(const TriangleMesh& mesh, const MeshTopology& topology, I
   std::vector<Index> number(mesh.vertices_mm.size(), no_index);
   for (Index t = 0; t < topology.triangle_count(); ++t) {
     if (topology.component_of_triangle(t) != component) continue;
-    Triangle corners = mesh.triangles[at(t)];
-    for (Index& v : corners) {
-      if (number[at(v)] == no_index) {
-        number[at(v)] = static_cast<Index>(part.vertices_mm.size());
-        part.vertices_mm.push_back(mesh.vertices_mm[at(v)]);
-      }
-      v = number[at(v)];
-    }
-    part.triangles.push_back(corners);
+    part.triangles.push_back(mesh.triangles[at(t)]);
+    for (const Index v : part.triangles.back()) number[at(v)] = 0;
   }
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] == no_index) continue;
+    number[v] = static_cast<Index>(part.vertices_mm.size());
+    part.vertices_mm.push_back(mesh.vertices_mm[v]);
+  }
+  for (Triangle& corners : part.triangles)
+    for (Index& v : corners) v = number[at(v)];
   return part;
 }
 

@@ -21,6 +21,11 @@ void append_floats(std::string& out, const Vec3& point) {
   for (int k = 0; k < 3; ++k) append_bytes(out, static_cast<float>(point[k] + 0.0));
 }
 
+/// Rounded to float first, so that the normal fits the corners that a reader will see.
+Vec3 as_stored(const TriangleMesh& mesh, Index vertex) {
+  return mesh.vertices_mm[static_cast<std::size_t>(vertex)].cast<float>().cast<double>();
+}
+
 std::string ply_header(const TriangleMesh& mesh, bool with_colours, bool with_quality) {
   std::string header = "ply\nformat binary_little_endian 1.0\ncomment unit mm\nelement vertex " +
                        std::to_string(mesh.vertices_mm.size()) +
@@ -39,9 +44,7 @@ Result<void> save_stl(const std::filesystem::path& file, const TriangleMesh& mes
   bytes.reserve(84 + 50 * mesh.triangles.size());
   append_bytes(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const Triangle& corners : mesh.triangles) {
-    const Vec3 &a = mesh.vertices_mm[static_cast<std::size_t>(corners[0])],
-               &b = mesh.vertices_mm[static_cast<std::size_t>(corners[1])],
-               &c = mesh.vertices_mm[static_cast<std::size_t>(corners[2])];
+    const Vec3 a = as_stored(mesh, corners[0]), b = as_stored(mesh, corners[1]), c = as_stored(mesh, corners[2]);
     append_floats(bytes, (b - a).cross(c - a).normalized());
     append_floats(bytes, a);
     append_floats(bytes, b);

@@ -65,7 +65,7 @@ Result<void> read_face(TextCursor& cursor, std::size_t line, const std::string& 
 }
 
 Result<void> read_statement(std::string_view line_text, std::size_t line, const std::string& name, ObjText& text) {
-  TextCursor cursor(line_text, line);
+  TextCursor cursor(line_text, line, true);
   const std::string_view keyword = cursor.word();
   if (keyword.empty() || keyword.starts_with('#')) return {};
   if (keyword == "v") return read_vertex(cursor, name, text);

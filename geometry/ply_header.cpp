@@ -128,7 +128,7 @@ Result<PlyHeader> parse_ply_header(std::string_view bytes, const std::string& na
       if (auto roles = check_roles(header, name); !roles) return tl::unexpected(roles.error());
       return header;
     }
-    if (!take_line(line, header))
+    if (!take_line(line, header) && cursor.left() > 0)
       return bad_input("mesh-syntax", name + ":" + std::to_string(header.lines) +
                                           ": this line of the PLY header is not understood; export the file again");
   }

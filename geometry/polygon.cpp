@@ -48,7 +48,8 @@ void append_polygon(TriangleMesh& mesh, std::span<const Index> corners) {
     std::size_t best = 1;
     double best_quality = -1.0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const double quality = ear_quality(mesh, ring, i, normal);
+      double quality = ear_quality(mesh, ring, i, normal);
+      if (ring.size() == 4) quality = std::min(quality, ear_quality(mesh, ring, (i + 2) % 4, normal));
       if (quality > best_quality) {
         best = i;
         best_quality = quality;

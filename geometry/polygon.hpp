@@ -13,8 +13,8 @@ namespace volute::geometry {
 constexpr std::size_t most_polygon_corners = 256;
 
 /// Appends the polygon `corners` to mesh.triangles by ear clipping in its mean plane; of all ears the one with the
-/// greatest least angle goes first, so a quadrilateral is cut along its better diagonal. A polygon without a proper ear
-/// is cut as a fan. Requires: 3 <= corners.size() <= most_polygon_corners, corners in range.
+/// greatest least angle goes first, and the last four corners are cut along their better diagonal. A polygon without a
+/// proper ear is cut as a fan. Requires: 3 <= corners.size() <= most_polygon_corners, corners in range.
 void append_polygon(TriangleMesh& mesh, std::span<const Index> corners);
 
 /// mesh-index-out-of-range when a corner lies outside [0, vertices), mesh-syntax when their number is not fit for a

@@ -58,7 +58,7 @@ void append_triangle(TriangleMesh& mesh) {
 Result<void> expect_word(TextCursor& cursor, const std::string& name, std::string_view expected) {
   const std::string_view word = cursor.word();
   if (same_word(word, expected)) return {};
-  if (word.empty())
+  if (cursor.was_cut())
     return bad_input("mesh-truncated", place(name, cursor) + "the file ends where \"" + std::string(expected) +
                                            "\" should stand; copy or export it again");
   return bad_input("mesh-syntax", place(name, cursor) + "\"" + std::string(expected) +
@@ -126,7 +126,7 @@ Result<TriangleMesh> parse_stl_ascii(std::string_view bytes, const std::string& 
     while (true) {
       const std::string_view word = cursor.word();
       if (same_word(word, "endsolid")) break;
-      if (word.empty())
+      if (cursor.was_cut())
         return bad_input("mesh-truncated", place(name, cursor) + "the file ends before \"endsolid\", after " +
                                                std::to_string(mesh.triangles.size()) +
                                                " triangles; copy or export it again");

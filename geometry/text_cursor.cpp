@@ -49,27 +49,28 @@ std::size_t TextCursor::line() const {
   return first_line_ + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
 }
 
+tl::unexpected<Error> TextCursor::misfit(std::string_view word, const std::string& name, const char* what,
+                                         const char* kind) const {
+  if (was_cut())
+    return bad_input("mesh-truncated",
+                     place(name, *this) + "the file ends where " + what + " should stand; copy or export it again");
+  if (says_not_finite(word))
+    return bad_input("mesh-not-finite",
+                     place(name, *this) + what + " is " + quoted(word) + "; every coordinate must be a finite number");
+  return bad_input("mesh-syntax", place(name, *this) + (word.empty() ? std::string("nothing") : quoted(word)) +
+                                      " stands where " + what + " (" + kind + ") should; export the file again");
+}
+
 Result<double> TextCursor::number(const std::string& name, const char* what) {
   const std::string_view text = word();
   if (const auto value = parse_number(text)) return *value;
-  if (text.empty())
-    return bad_input("mesh-truncated",
-                     place(name, *this) + "the file ends where " + what + " should stand; copy or export it again");
-  if (says_not_finite(text))
-    return bad_input("mesh-not-finite",
-                     place(name, *this) + what + " is " + quoted(text) + "; every coordinate must be a finite number");
-  return bad_input("mesh-syntax", place(name, *this) + quoted(text) + " stands where " + what +
-                                      " (a number) should; export the file again");
+  return misfit(text, name, what, "a number");
 }
 
 Result<std::int64_t> TextCursor::integer(const std::string& name, const char* what) {
   const std::string_view text = word();
   if (const auto value = parse_integer(text)) return *value;
-  if (text.empty())
-    return bad_input("mesh-truncated",
-                     place(name, *this) + "the file ends where " + what + " should stand; copy or export it again");
-  return bad_input("mesh-syntax", place(name, *this) + quoted(text) + " stands where " + what +
-                                      " (a whole number) should; export the file again");
+  return misfit(text, name, what, "a whole number");
 }
 
 bool same_word(std::string_view word, std::string_view lower) {

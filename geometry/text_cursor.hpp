@@ -12,8 +12,9 @@ namespace volute::geometry {
 
 class TextCursor {
  public:
-  /// `first_line`: the number of the line that `text` begins with.
-  explicit TextCursor(std::string_view text, std::size_t first_line = 1) : text_(text), first_line_(first_line) {}
+  /// `first_line`: the number of the line that `text` begins with. `is_one_line`: more text follows behind its end.
+  explicit TextCursor(std::string_view text, std::size_t first_line = 1, bool is_one_line = false)
+      : text_(text), first_line_(first_line), is_one_line_(is_one_line) {}
 
   /// The next word (no blank inside), across line ends; empty at the end of the text.
   std::string_view word();
@@ -24,18 +25,23 @@ class TextCursor {
   /// Number of the line in which the last word stood, from 1. Counted when asked: only messages need it.
   [[nodiscard]] std::size_t line() const;
   [[nodiscard]] bool at_end() const { return peek().empty(); }
+  /// The last word reached the very end of the file: it may be the half of one.
+  [[nodiscard]] bool was_cut() const { return left() == 0 && !is_one_line_; }
   /// Bytes not read yet.
   [[nodiscard]] std::size_t left() const { return text_.size() - position_; }
   [[nodiscard]] std::size_t position() const { return position_; }
 
-  /// Errors, each "name:line: ...": mesh-truncated at the end of the text, mesh-not-finite for nan and inf, mesh-syntax
+  /// Errors, each "name:line: ...": mesh-truncated at the end of the file, mesh-not-finite for nan and inf, mesh-syntax
   /// otherwise.
   Result<double> number(const std::string& name, const char* what);
   Result<std::int64_t> integer(const std::string& name, const char* what);
 
  private:
   std::string_view text_;
+  tl::unexpected<Error> misfit(std::string_view word, const std::string& name, const char* what,
+                               const char* kind) const;
   std::size_t first_line_ = 1;
+  bool is_one_line_ = false;
   std::size_t position_ = 0;
   std::size_t word_start_ = 0;
 };
