@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,6 +42,17 @@ class Interference {
   [[nodiscard]] std::optional<InterferenceHit> first_hit(const kinematics::ToolPose& pose) const;
   /// With the machine's links at q too (null machine: as is_free).
   [[nodiscard]] bool is_free(const kinematics::ToolPose& pose, const kinematics::AxisVector& q) const;
+  /// As is_free, but without the ball of a ball or taper-ball cutter against the part: where that ball sits depends on the contact
+  /// alone, so no orientation can mend it. For flat and bull cutters the same as is_free.
+  [[nodiscard]] bool is_free_but_tip(const kinematics::ToolPose& pose) const;
+  [[nodiscard]] std::optional<InterferenceHit> first_hit_but_tip(const kinematics::ToolPose& pose) const;
+  /// How far every point of the assembly may move before is_free_but_tip could become false: a lower bound, at most `cap_mm`, 0 when
+  /// the pose is not known to be free.
+  [[nodiscard]] double clearance_mm(const kinematics::ToolPose& pose, double cap_mm) const;
+  /// How deep the ball of a ball or taper-ball cutter goes into the part surface, mm; 0 when it does not, and for other shapes.
+  [[nodiscard]] double tip_depth_mm(const kinematics::ToolPose& pose) const;
+  /// Are machine links looked at too?
+  [[nodiscard]] bool has_machine() const;
   /// Farthest point of the assembly from the tip, mm: bounds how far anything moves when the axis turns.
   [[nodiscard]] double reach_mm() const;
 

@@ -1,0 +1,80 @@
+#include "planner/contact.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "geometry/check.hpp"
+
+namespace volute::planner {
+
+using kinematics::Cutter;
+using kinematics::CutterShape;
+using kinematics::ToolPose;
+
+namespace {
+
+// Below this sine of the tilt the axis counts as the normal: the contact of a flat bottom is its centre.
+constexpr double least_tilt_sine = 1e-9;
+
+bool has_ball_tip(const Cutter& cutter) {
+  return cutter.shape == CutterShape::ball || cutter.shape == CutterShape::taper_ball;
+}
+
+/// Radius of the circle on which the centre of the corner's arc runs round the axis: 0 for a ball.
+double corner_circle_radius_mm(const Cutter& cutter) {
+  return has_ball_tip(cutter) ? 0.0 : cutter.radius_mm - cutter.corner_radius_mm;
+}
+
+double tip_arc_radius_mm(const Cutter& cutter) {
+  if (has_ball_tip(cutter)) return cutter.radius_mm;
+  return cutter.shape == CutterShape::flat ? 0.0 : cutter.corner_radius_mm;
+}
+
+}  // namespace
+
+FeedFrame feed_frame(const Vec3& feed_P, const Vec3& normal_P) {
+  const Vec3 normal = normal_P.normalized();
+  const Vec3 along = feed_P - feed_P.dot(normal) * normal;
+  VOLUTE_CHECK(along.norm() > 1e-12 * feed_P.norm(), feed_P.transpose(), normal_P.transpose());
+  FeedFrame frame;
+  frame.feed_P = along.normalized();
+  frame.normal_P = normal;
+  frame.across_P = normal.cross(frame.feed_P);
+  return frame;
+}
+
+Vec3 tool_axis(const FeedFrame& frame, geometry::Angle tilt, geometry::Angle yaw) {
+  const double out = sin(tilt);
+  const Vec3 axis = out * cos(yaw) * frame.feed_P + out * sin(yaw) * frame.across_P + cos(tilt) * frame.normal_P;
+  return axis.normalized();
+}
+
+ToolPose contact_pose(const Cutter& cutter, const Vec3& contact_P_mm, const Vec3& normal_P, const Vec3& axis_P) {
+  VOLUTE_CHECK(axis_P.dot(normal_P) >= 0.0, axis_P.transpose(), normal_P.transpose());
+  const double arc = tip_arc_radius_mm(cutter);
+  const double circle = corner_circle_radius_mm(cutter);
+  // The cutter's outward normal at the contact is -normal: its part square to the axis points to the touching arc.
+  const Vec3 square = -(normal_P - normal_P.dot(axis_P) * axis_P);
+  const double sine = square.norm();
+  ToolPose pose;
+  pose.axis_P = axis_P;
+  pose.tip_P_mm = contact_P_mm;
+  if (circle > 0.0 && sine < least_tilt_sine) return pose;
+  pose.tip_P_mm += arc * (normal_P - axis_P);
+  if (circle > 0.0) pose.tip_P_mm -= circle / sine * square;
+  return pose;
+}
+
+double effective_radius_mm(const Cutter& cutter, geometry::Angle tilt, geometry::Angle yaw) {
+  const double arc = tip_arc_radius_mm(cutter);
+  const double circle = corner_circle_radius_mm(cutter);
+  if (circle == 0.0) return arc;
+  const double sine = std::abs(sin(tilt));
+  if (sine < least_tilt_sine) return std::numeric_limits<double>::infinity();
+  // Principal radii at the contact: the arc's own in the plane of axis and normal, and the length of the normal to the
+  // axis across it. The swept profile is the outline seen along the feed, whose radius is r1 r2 (cos^2/r1 + sin^2/r2).
+  const double round_axis = arc + circle / sine;
+  return round_axis * cos(yaw) * cos(yaw) + arc * sin(yaw) * sin(yaw);
+}
+
+}  // namespace volute::planner

@@ -1,0 +1,40 @@
+// The tool assembly as convex pieces that FCL knows, grown or shrunk by a clearance.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fcl/geometry/collision_geometry.h>
+
+#include "kinematics/model/tool.hpp"
+
+namespace volute::planner {
+
+/// One convex piece of revolution in the tool frame T (z along the axis from the tip).
+struct ToolPiece {
+  enum class Kind { ball, frustum, corner };
+  std::string part;  ///< "cutter" "shank" "holder"
+  Kind kind = Kind::frustum;
+  double z_min_mm = 0.0, z_max_mm = 0.0;  ///< ball: the centre stands in the middle
+  double bottom_radius_mm = 0.0, top_radius_mm = 0.0;
+  double corner_radius_mm = 0.0;  ///< corner: of the arc from the flat bottom to the side
+};
+
+/// Cutter (ball first), shank, holder: from the tip upwards.
+std::vector<ToolPiece> tool_pieces(const kinematics::Tool& tool);
+
+/// An FCL shape with its centre on the tool axis, and the cylinder round it.
+struct PlacedShape {
+  std::shared_ptr<const fcl::CollisionGeometryd> shape;
+  bool is_ball = false;
+  double centre_z_mm = 0.0;
+  double z_min_mm = 0.0, z_max_mm = 0.0, radius_mm = 0.0;
+};
+
+/// The piece grown by `growth_mm` on all sides (shrunk when negative). Cylinders and balls are exact but for the flat
+/// ends' rims, which are kept square (outside); cones and arcs are polyhedra: outside the true shape by at most 1 % of
+/// the radius when grown, inside by at most a quarter of the shrinkage when shrunk.
+PlacedShape placed_shape(const ToolPiece& piece, double growth_mm);
+
+}  // namespace volute::planner

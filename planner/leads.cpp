@@ -1,0 +1,184 @@
+#include "planner/leads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/check.hpp"
+#include "geometry/number_text.hpp"
+
+namespace volute::planner {
+
+using kinematics::MoveKind;
+using kinematics::ToolPath;
+using kinematics::ToolPathPoint;
+using kinematics::ToolPose;
+
+namespace {
+
+constexpr int arc_points = 12;
+constexpr double check_step_mm = 0.5;
+constexpr double axis_retract_min_mm = 2.0;
+
+/// Unit direction from the first point away from the second, in the tangent plane of the first; the normal's side
+/// decides nothing here.
+Vec3 tangent_away(const ToolPathPoint& at, const ToolPathPoint& next) {
+  const Vec3 d = at.pose.tip_P_mm - next.pose.tip_P_mm;
+  const Vec3 t = d - d.dot(at.normal_P) * at.normal_P;
+  return t.norm() > 1e-9 ? Vec3(t.normalized()) : at.normal_P.unitOrthogonal();
+}
+
+}  // namespace
+
+double highest_point_mm(const Scene& scene) {
+  bool any = false;
+  double z = 0.0;
+  const auto look = [&](const geometry::TriangleMesh& mesh) {
+    for (const Vec3& v : mesh.vertices_mm) {
+      z = any ? std::max(z, v.z()) : v.z();
+      any = true;
+    }
+  };
+  look(scene.part);
+  for (const auto& mesh : scene.obstacles) look(mesh);
+  for (const auto& mesh : scene.fixtures) look(mesh);
+  return z;
+}
+
+Leads::Leads(const kinematics::Tool& tool, const Interference& interference, const ProcessOptions& process,
+             double clearance_z_mm)
+    : tool_(&tool),
+      interference_(&interference),
+      process_(&process),
+      clearance_z_mm_(clearance_z_mm),
+      radius_mm_(process.lead_radius_mm > 0.0 ? process.lead_radius_mm : tool.cutter.radius_mm) {}
+
+/// Tangent arcs of a quarter turn, of a smaller radius, then straight along the normal and along the axis.
+std::vector<Leads::Lead> Leads::lead_shapes(const ToolPathPoint& point, const Vec3& away) const {
+  std::vector<Lead> shapes;
+  for (const double radius : {radius_mm_, 0.5 * radius_mm_, 0.25 * radius_mm_}) {
+    for (const double side : {1.0, -1.0}) {
+      Lead arc;
+      for (int k = 1; k <= arc_points; ++k) {
+        const double a = 0.5 * std::numbers::pi * k / arc_points;
+        arc.offsets_mm.push_back(radius * (side * std::sin(a) * away + (1.0 - std::cos(a)) * point.normal_P));
+      }
+      shapes.push_back(std::move(arc));
+    }
+  }
+  shapes.push_back({{radius_mm_ * point.normal_P}});
+  shapes.push_back({{radius_mm_ * point.pose.axis_P}});
+  return shapes;
+}
+
+bool Leads::is_free_way(const ToolPose& from, const Vec3& to_P_mm) const {
+  const double length = (to_P_mm - from.tip_P_mm).norm();
+  const int steps = std::max(1, static_cast<int>(std::ceil(length / check_step_mm)));
+  for (int k = 1; k <= steps; ++k) {
+    const double t = static_cast<double>(k) / steps;
+    if (!interference_->is_free_but_tip({from.tip_P_mm + t * (to_P_mm - from.tip_P_mm), from.axis_P})) return false;
+  }
+  return true;
+}
+
+/// How high the tip must stand so that the whole assembly, leaning as it does, is above the clearance height.
+double Leads::safe_tip_z_mm(const Vec3& axis_P) const {
+  const double across = std::sqrt(std::max(1.0 - axis_P.z() * axis_P.z(), 0.0));
+  double dip = 0.0;
+  const auto look = [&](double z, double radius) { dip = std::max(dip, radius * across - z * axis_P.z()); };
+  look(0.0, tool_->cutter.radius_mm);
+  look(tool_->stick_out_mm, tool_->shank_radius_mm);
+  for (const kinematics::ConeSegment& cone : tool_->holder) {
+    look(cone.z_mm, cone.bottom_radius_mm);
+    look(cone.z_mm + cone.length_mm, cone.top_radius_mm);
+  }
+  return clearance_z_mm_ + dip;
+}
+
+/// From the end of a lead to clearance height: straight up when free, else out along the axis first. Empty: neither is
+/// free.
+std::vector<Vec3> Leads::way_up(const ToolPose& from) const {
+  const auto above = [&](const Vec3& p) { return Vec3(p.x(), p.y(), std::max(safe_tip_z_mm(from.axis_P), p.z())); };
+  if (is_free_way(from, above(from.tip_P_mm))) return {above(from.tip_P_mm)};
+  for (double out = axis_retract_min_mm; out <= 256.0; out *= 2.0) {
+    const Vec3 aside = from.tip_P_mm + out * from.axis_P;
+    if (!is_free_way(from, aside)) return {};
+    if (is_free_way({aside, from.axis_P}, above(aside))) return {aside, above(aside)};
+  }
+  return {};
+}
+
+std::optional<Leads::Lead> Leads::free_lead(const ToolPathPoint& point, const Vec3& away) const {
+  for (Lead& shape : lead_shapes(point, away)) {
+    ToolPose pose = point.pose;
+    bool free = true;
+    for (const Vec3& offset : shape.offsets_mm) {
+      const Vec3 to = point.pose.tip_P_mm + offset;
+      free = free && is_free_way(pose, to);
+      pose.tip_P_mm = to;
+    }
+    if (!free) continue;
+    const std::vector<Vec3> up = way_up(pose);
+    if (up.empty()) continue;
+    for (const Vec3& p : up) shape.offsets_mm.push_back(p - point.pose.tip_P_mm);
+    return shape;
+  }
+  return std::nullopt;
+}
+
+Result<ToolPath> Leads::with_leads(const ToolPath& piece, int piece_number) const {
+  VOLUTE_CHECK(piece.points.size() >= 2, piece.points.size());
+  const ToolPathPoint& first = piece.points.front();
+  const ToolPathPoint& last = piece.points.back();
+  const auto lead_in = free_lead(first, tangent_away(first, piece.points[1]));
+  const auto lead_out = free_lead(last, tangent_away(last, piece.points[piece.points.size() - 2]));
+  if (!lead_in || !lead_out) {
+    const Vec3& p = (lead_in ? last : first).contact_P_mm;
+    return geometry::bad_input(
+        "lead-blocked", "piece " + std::to_string(piece_number) + ": no way " + (lead_in ? "away from" : "to") +
+                            " its " + (lead_in ? "last" : "first") + " point (" + geometry::short_text(p.x()) + ", " +
+                            geometry::short_text(p.y()) + ", " + geometry::short_text(p.z()) +
+                            ") is free; lower lead_radius_mm, or start elsewhere");
+  }
+  const double feed = process_->approach_feed_mm_s > 0.0 ? process_->approach_feed_mm_s : process_->feed_mm_s;
+  ToolPath path;
+  const auto add = [&](const ToolPathPoint& at, const Vec3& offset, MoveKind move, double feed_mm_s) {
+    path.points.push_back(
+        {{at.pose.tip_P_mm + offset, at.pose.axis_P}, move, feed_mm_s, at.contact_P_mm, at.normal_P, at.turn});
+  };
+  // The highest point and the one above the lead are reached in rapid, the lead itself at feed.
+  const std::size_t in = lead_in->offsets_mm.size();
+  for (std::size_t k = in; k-- > 0;)
+    add(first, lead_in->offsets_mm[k], k + 1 == in ? MoveKind::rapid : MoveKind::approach, k + 1 == in ? 0.0 : feed);
+  path.points.insert(path.points.end(), piece.points.begin(), piece.points.end());
+  path.points[in].move = MoveKind::approach;
+  path.points[in].feed_mm_s = feed;
+  const std::size_t out = lead_out->offsets_mm.size();
+  for (std::size_t k = 0; k < out; ++k)
+    add(last, lead_out->offsets_mm[k], k + 1 == out ? MoveKind::rapid : MoveKind::retract,
+        k + 1 == out ? 0.0 : process_->feed_mm_s);
+  return path;
+}
+
+void Leads::append(ToolPath& whole, const ToolPath& piece) const {
+  if (!whole.points.empty()) {
+    // Turning in the air: as high as the worst lean between the two axes asks for.
+    const ToolPathPoint& from = whole.points.back();
+    const ToolPathPoint& to = piece.points.front();
+    double z = std::max(from.pose.tip_P_mm.z(), to.pose.tip_P_mm.z());
+    for (int degrees = 0; degrees <= 180; degrees += 5) {
+      const double a = degrees * std::numbers::pi / 180.0;
+      const double least = std::min(from.pose.axis_P.z(), to.pose.axis_P.z());
+      if (std::cos(a) >= least) z = std::max(z, safe_tip_z_mm(Vec3(std::sin(a), 0.0, std::cos(a))));
+    }
+    ToolPathPoint up = from, over = to;
+    up.move = over.move = MoveKind::rapid;
+    up.feed_mm_s = over.feed_mm_s = 0.0;
+    up.pose.tip_P_mm.z() = over.pose.tip_P_mm.z() = z;
+    whole.points.push_back(up);
+    whole.points.push_back(over);
+  }
+  whole.points.insert(whole.points.end(), piece.points.begin(), piece.points.end());
+}
+
+}  // namespace volute::planner

@@ -1,0 +1,45 @@
+// How the tool comes to the part and leaves it, in the air and clear of everything.
+#pragma once
+
+#include <vector>
+
+#include "planner/interference.hpp"
+#include "planner/options.hpp"
+
+namespace volute::planner {
+
+/// Adds to an oriented piece what goes before its first and after its last cut, the axis held as it is there:
+/// a rapid at clearance height, down to above the lead, and a tangent arc onto the surface (where that is not free: a
+/// steeper arc, a ramp along the normal, then along the tool axis); the same backwards to leave.
+class Leads {
+ public:
+  /// `clearance_z_mm`: nothing of part, obstacles and fixtures stands higher. Arguments outlive it.
+  Leads(const kinematics::Tool& tool, const Interference& interference, const ProcessOptions& process,
+        double clearance_z_mm);
+
+  /// Requires: two points at least. Errors (bad_input): lead-blocked (no lead is free: where, and the remedy).
+  [[nodiscard]] Result<kinematics::ToolPath> with_leads(const kinematics::ToolPath& piece, int piece_number) const;
+  /// Rapids at clearance height from the end of one piece to the start of the next, so high that no axis on the way
+  /// dips below it.
+  void append(kinematics::ToolPath& whole, const kinematics::ToolPath& piece) const;
+
+ private:
+  struct Lead {
+    std::vector<Vec3> offsets_mm;
+  };  ///< from the surface outwards, relative to the tip
+  [[nodiscard]] std::vector<Lead> lead_shapes(const kinematics::ToolPathPoint& point, const Vec3& away) const;
+  [[nodiscard]] std::optional<Lead> free_lead(const kinematics::ToolPathPoint& point, const Vec3& away) const;
+  [[nodiscard]] bool is_free_way(const kinematics::ToolPose& from, const Vec3& to_P_mm) const;
+  [[nodiscard]] std::vector<Vec3> way_up(const kinematics::ToolPose& from) const;
+  [[nodiscard]] double safe_tip_z_mm(const Vec3& axis_P) const;
+
+  const kinematics::Tool* tool_;
+  const Interference* interference_;
+  const ProcessOptions* process_;
+  double clearance_z_mm_, radius_mm_;
+};
+
+/// Highest point of everything in the scene, mm; 0 when it is empty.
+double highest_point_mm(const Scene& scene);
+
+}  // namespace volute::planner

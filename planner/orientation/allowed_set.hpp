@@ -1,0 +1,63 @@
+// Which orientations are allowed at a point of the path: axis travel, process limits from the normal, nothing touched.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "planner/orientation/rotary_chart.hpp"
+#include "planner/orientation/stations.hpp"
+
+namespace volute::planner {
+
+/// Why an orientation is not allowed.
+enum class Blocked { no, travel, tilt, width, interference };
+
+class AllowedSet {
+ public:
+  /// All arguments outlive the set.
+  AllowedSet(std::span<const Station> stations, const kinematics::Tool& tool, const RotaryChart& chart,
+             const Interference& interference, const OrientationOptions& options);
+
+  [[nodiscard]] kinematics::ToolPose pose(int i, const Vec3& axis_P) const;
+  /// Tilt from the normal within [tilt_min, tilt_max]; for flat and bull cutters also: the cut is no narrower than the
+  /// path was planned for.
+  [[nodiscard]] Blocked process_limit(int i, const Vec3& axis_P) const;
+  /// Travel and process limits: cheap.
+  [[nodiscard]] Blocked limit(int i, const Rotaries& at) const;
+  [[nodiscard]] bool is_free(int i, const Vec3& axis_P) const {
+    return interference_->is_free_but_tip(pose(i, axis_P));
+  }
+  /// Everything, with the rotaries wherever they reach the axis.
+  [[nodiscard]] Blocked blocked(int i, const Vec3& axis_P) const;
+  [[nodiscard]] Blocked blocked(int i, const Rotaries& at) const;
+  /// The motion from station i to i + 1, rotaries and tip linear in between as a control with TCP moves, at poses so
+  /// near that no point of the assembly moves more than motion_step_mm() from one to the next; the ends are not looked
+  /// at.
+  [[nodiscard]] bool motion_is_free(int i, const Rotaries& from, const Rotaries& to) const;
+  [[nodiscard]] double motion_step_mm() const { return motion_step_mm_; }
+
+  /// The allowed axis nearest to `wanted_P`, found on rings 2 degrees apart, then `margin` further where that is
+  /// allowed too.
+  [[nodiscard]] std::optional<Vec3> nearest(int i, const Vec3& wanted_P, geometry::Angle margin) const;
+  /// The axis turned the least so that it keeps the tilt limits with a margin of at most 2 degrees.
+  [[nodiscard]] Vec3 within_tilt(int i, const Vec3& axis_P) const;
+  /// What stands in the way of every orientation at i, in words.
+  [[nodiscard]] std::string what_blocks(int i, const Vec3& wanted_P) const;
+
+  [[nodiscard]] const RotaryChart& chart() const { return *chart_; }
+  [[nodiscard]] std::span<const Station> stations() const { return stations_; }
+  [[nodiscard]] Vec3 planned_axis(int i) const;  ///< tilt and yaw of the options in the feed frame
+
+ private:
+  std::span<const Station> stations_;
+  const kinematics::Tool* tool_;
+  const RotaryChart* chart_;
+  const Interference* interference_;
+  const OrientationOptions* options_;
+  double motion_step_mm_, least_width_mm_;
+  std::vector<Vec3> rings_;  ///< directions round z by rising angle
+};
+
+}  // namespace volute::planner

@@ -1,0 +1,247 @@
+#include "planner/orientation/orient.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tbb/parallel_for.h>
+
+#include "geometry/check.hpp"
+#include "geometry/number_text.hpp"
+#include "planner/orientation/allowed_set.hpp"
+#include "planner/orientation/branch.hpp"
+#include "planner/orientation/motion.hpp"
+#include "planner/orientation/pin_loop.hpp"
+#include "planner/orientation/reference.hpp"
+
+namespace volute::planner {
+
+using geometry::Angle;
+using geometry::bad_input;
+using geometry::short_text;
+
+namespace {
+
+// Feed directions are chords this far to both sides: longer than a facet, shorter than a pass.
+constexpr double feed_window_mm = 1.0;
+// Paths without turns: the reference axis is averaged over this length.
+constexpr double reference_window_mm = 20.0;
+// Neighbouring passes are looked for within this distance.
+constexpr double neighbour_reach_mm = 5.0;
+
+std::string smoothing_name(Smoothing smoothing) {
+  switch (smoothing) {
+    case Smoothing::none:
+      return "none";
+    case Smoothing::velocity:
+      return "velocity";
+    case Smoothing::acceleration:
+      return "acceleration";
+    case Smoothing::field:
+      return "field";
+    case Smoothing::corridor:
+      return "corridor";
+  }
+  return "none";
+}
+
+int count(const std::vector<char>& marks) { return static_cast<int>(std::count(marks.begin(), marks.end(), 1)); }
+
+/// Everything that the steps of orienting one piece share.
+struct Orienting {
+  const CcPiece& piece;
+  const kinematics::Tool& tool;
+  const OrientationOptions& options;
+  double feed_mm_s;
+  RotaryChart chart;
+  std::vector<Station> stations;
+  OrientationReport report;
+
+  [[nodiscard]] int points() const { return static_cast<int>(stations.size()); }
+};
+
+std::string point_name(const Orienting& work, int i) {
+  return std::to_string(work.stations[static_cast<std::size_t>(i)].source);
+}
+
+void note_lifts(Orienting& work) {
+  int lifted = 0;
+  double most = 0.0;
+  for (const Station& station : work.stations) {
+    if (station.lift_mm <= 0.0) continue;
+    ++lifted;
+    most = std::max(most, station.lift_mm);
+  }
+  if (lifted == 0) return;
+  work.report.notes.push_back(std::to_string(lifted) + " CC points lifted by up to " + short_text(most, 3) +
+                              " mm: the ball does not fit there without gouging");
+}
+
+std::vector<Rotaries> rotaries_along(const Orienting& work, const std::vector<Vec3>& axes) {
+  std::vector<PlacedAxis> placed;
+  placed.reserve(axes.size());
+  for (std::size_t i = 0; i < axes.size(); ++i) placed.push_back({axes[i], work.stations[i].s_mm, false});
+  const BranchChoice choice = choose_branches(work.chart, placed);
+  return choice.unreachable >= 0 ? std::vector<Rotaries>{} : filled(choice, placed);
+}
+
+/// A rotary whose travel cannot hold the winding of the path is released: solve_path puts rewinds in.
+void release_wound_axes(Orienting& work, const std::vector<Vec3>& axes) {
+  std::vector<PlacedAxis> placed;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (work.chart.reaches(axes[i])) placed.push_back({axes[i], work.stations[i].s_mm, false});
+  }
+  const BranchChoice choice = choose_branches(work.chart, placed);
+  if (choice.jump_max_rad < 1.5 * std::numbers::pi) return;
+  for (int k = 0; k < 2; ++k) {
+    const kinematics::Axis& axis = work.chart.axis(k);
+    if (work.chart.is_endless(k) || *axis.travel_max - *axis.travel_min < 2.0 * std::numbers::pi) continue;
+    work.chart.release(k);
+    work.report.notes.push_back(std::string("the travel of ") + axis.letter +
+                                " cannot hold the winding of the path: the axis path needs rewinds");
+  }
+}
+
+std::vector<char> blocked_marks(const AllowedSet& allowed, const std::vector<Vec3>& axes) {
+  std::vector<char> marks(axes.size(), 0);
+  tbb::parallel_for(std::size_t{0}, axes.size(), [&](std::size_t i) {
+    marks[i] = allowed.blocked(static_cast<int>(i), axes[i]) == Blocked::no ? 0 : 1;
+  });
+  return marks;
+}
+
+/// Swings the axis only where it must: to the nearest allowed one ([Sun2016] 7.4, the traditional way). Points without
+/// any: `none`.
+std::vector<Vec3> dodged(const AllowedSet& allowed, std::vector<Vec3> axes, const std::vector<char>& blocked,
+                         std::vector<int>& none) {
+  std::vector<char> found(axes.size(), 1);
+  tbb::parallel_for(std::size_t{0}, axes.size(), [&](std::size_t i) {
+    if (blocked[i] == 0) return;
+    const auto axis = allowed.nearest(static_cast<int>(i), axes[i], Angle());
+    found[i] = axis ? 1 : 0;
+    if (axis) axes[i] = *axis;
+  });
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i] == 0) none.push_back(static_cast<int>(i));
+  }
+  return axes;
+}
+
+tl::unexpected<geometry::Error> no_orientation(const Orienting& work, const AllowedSet& allowed,
+                                               const std::vector<int>& none, const std::vector<Vec3>& wanted) {
+  std::vector<char> marks(work.stations.size(), 0);
+  for (const int i : none) marks[static_cast<std::size_t>(i)] = 1;
+  std::string where;
+  const std::vector<BlockedArea> areas = blocked_areas(marks);
+  for (std::size_t k = 0; k < std::min<std::size_t>(areas.size(), 8); ++k) {
+    where += (where.empty() ? "" : ", ") + point_name(work, areas[k].first);
+    if (areas[k].last > areas[k].first) where += " to " + point_name(work, areas[k].last);
+  }
+  if (areas.size() > 8) where += " and " + std::to_string(areas.size() - 8) + " more runs";
+  const std::string what = allowed.what_blocks(none.front(), wanted[static_cast<std::size_t>(none.front())]);
+  return bad_input("orientation-none",
+                   "CC points " + where + ": no tool orientation is allowed; in the way: " + what +
+                       "; use a longer or slimmer tool, a smaller clearance, wider tilt limits, or move the obstacle");
+}
+
+std::vector<FixedPin> user_pins(const Orienting& work) {
+  std::vector<FixedPin> pins;
+  for (const KeyOrientation& key : work.options.keys) {
+    if (!key.path_fraction) continue;
+    const double s = *key.path_fraction * work.stations.back().s_mm;
+    const auto place = std::lower_bound(work.stations.begin(), work.stations.end(), s,
+                                        [](const Station& a, double value) { return a.s_mm < value; });
+    const auto index = std::min<std::ptrdiff_t>(place - work.stations.begin(), work.points() - 1);
+    pins.push_back({static_cast<int>(index), key.axis_P.normalized()});
+  }
+  return pins;
+}
+
+OrientedPath finished(Orienting& work, const AllowedSet& allowed, const std::vector<Rotaries>& at,
+                      std::vector<int> pins) {
+  OrientedPath path;
+  std::vector<Vec3> axes;
+  std::vector<double> s;
+  for (int i = 0; i < work.points(); ++i) {
+    const Station& station = work.stations[static_cast<std::size_t>(i)];
+    axes.push_back(work.chart.axis_P(at[static_cast<std::size_t>(i)]));
+    s.push_back(station.s_mm);
+    path.tool_path.points.push_back({allowed.pose(i, axes.back()),
+                                     station.link ? kinematics::MoveKind::link : kinematics::MoveKind::cut,
+                                     work.feed_mm_s, station.contact_P_mm, station.normal_P, station.turn});
+  }
+  const auto column = [&](std::size_t k) {
+    std::vector<double> values;
+    for (const Rotaries& r : at) values.push_back(r[k]);
+    return values;
+  };
+  work.report.first_letter = work.chart.axis(0).letter;
+  work.report.second_letter = work.chart.axis(1).letter;
+  work.report.first = motion_peaks(s, column(0), work.feed_mm_s);
+  work.report.second = motion_peaks(s, column(1), work.feed_mm_s);
+  work.report.neighbour_turn_max_rad = neighbour_turn_max_rad(work.stations, axes, neighbour_reach_mm);
+  work.report.pins = static_cast<int>(pins.size());
+  path.rotaries_rad = at;
+  path.pins = std::move(pins);
+  path.report = std::move(work.report);
+  return path;
+}
+
+Result<OrientedPath> orient_traditionally(Orienting& work, const AllowedSet& allowed, const std::vector<Vec3>& planned,
+                                          const std::vector<char>& blocked) {
+  std::vector<int> none;
+  const std::vector<Vec3> axes = dodged(allowed, planned, blocked, none);
+  if (!none.empty()) return no_orientation(work, allowed, none, planned);
+  const std::vector<Rotaries> at = rotaries_along(work, axes);
+  VOLUTE_CHECK(!at.empty(), axes.size());
+  const std::vector<char> bad = check_path(allowed, at, false);
+  work.report.interferences_after = count(bad);
+  if (count(bad) > 0)
+    work.report.notes.push_back("swinging only to dodge leaves " + std::to_string(count(bad)) +
+                                " motions between CC points that touch: use a smoothing");
+  return finished(work, allowed, at, {});
+}
+
+Result<OrientedPath> orient_by_pins(Orienting& work, const AllowedSet& allowed) {
+  const std::vector<Vec3> reference = reference_axes(allowed, reference_window_mm);
+  const std::vector<char> blocked = blocked_marks(allowed, reference);
+  std::vector<int> none;
+  (void)dodged(allowed, reference, blocked, none);
+  if (!none.empty()) return no_orientation(work, allowed, none, reference);
+  const std::vector<int> critical = critical_points(work.points(), blocked_areas(blocked));
+  const PinLoopResult loop = run_pin_loop(allowed, reference, blocked, critical, user_pins(work), work.options);
+  work.report.iterations = loop.iterations;
+  work.report.solve_s = loop.solve_s;
+  if (!loop.free) {
+    return bad_input(
+        "orientation-not-converged",
+        "after " + std::to_string(loop.iterations) +
+            " rounds of pinning some CC points still touch; use smoothing = \"corridor\", or raise iterations_max");
+  }
+  return finished(work, allowed, loop.at, loop.pins);
+}
+
+}  // namespace
+
+Result<OrientedPath> orient(const CcPiece& piece, const kinematics::Tool& tool, const kinematics::Machine& machine,
+                            const kinematics::Setup& setup, const Interference& interference,
+                            const OrientationOptions& options, double feed_mm_s) {
+  Orienting work{piece, tool, options, feed_mm_s, RotaryChart(machine, setup), make_stations(piece, feed_window_mm),
+                 {}};
+  if (work.points() < 2)
+    return bad_input("orientation-path-short",
+                     "a piece of the path has fewer than two CC points; lower the scallop or check the surface");
+  work.report.smoothing = smoothing_name(options.smoothing);
+  lift_out_of_part(work.stations, tool.cutter, interference, options.gouge_tolerance_mm);
+  note_lifts(work);
+  const AllowedSet allowed(work.stations, tool, work.chart, interference, options);
+
+  std::vector<Vec3> planned(work.stations.size());
+  tbb::parallel_for(0, work.points(), [&](int i) { planned[static_cast<std::size_t>(i)] = allowed.planned_axis(i); });
+  release_wound_axes(work, planned);
+  const std::vector<char> blocked = blocked_marks(allowed, planned);
+  work.report.interferences_before = count(blocked);
+  if (options.smoothing == Smoothing::none) return orient_traditionally(work, allowed, planned, blocked);
+  return orient_by_pins(work, allowed);
+}
+
+}  // namespace volute::planner

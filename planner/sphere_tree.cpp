@@ -1,0 +1,215 @@
+#include "planner/sphere_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace volute::planner {
+
+namespace {
+
+constexpr int leaf_triangles = 2;
+constexpr int stack_size = 128;  // two entries a level; medians halve, so 64 levels are beyond any index
+
+struct Entry {
+  int node;
+  double bound;
+};
+
+/// Children to visit, the nearer one on top.
+class Stack {
+ public:
+  void push(int node, double bound) { entries_[static_cast<std::size_t>(size_++)] = {node, bound}; }
+  Entry pop() { return entries_[static_cast<std::size_t>(--size_)]; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+
+ private:
+  std::array<Entry, stack_size> entries_;
+  int size_ = 0;
+};
+
+double to_segment_mm(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 ab = b - a;
+  const double t = std::clamp((p - a).dot(ab) / std::max(ab.squaredNorm(), 1e-300), 0.0, 1.0);
+  return (p - a - t * ab).norm();
+}
+
+bool ray_crosses(const Vec3& from, const Vec3& direction, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 e1 = b - a, e2 = c - a, h = direction.cross(e2);
+  const double det = e1.dot(h);
+  if (det == 0.0) return false;
+  const Vec3 s = from - a, q = s.cross(e1);
+  const double u = s.dot(h) / det, v = direction.dot(q) / det;
+  return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && e2.dot(q) / det > 0.0;
+}
+
+}  // namespace
+
+double distance_mm(const AxialCylinder& cylinder, const Vec3& point_mm) {
+  const Vec3 d = point_mm - cylinder.base_mm;
+  const double z = d.dot(cylinder.axis);
+  const double rho = std::sqrt(std::max(d.squaredNorm() - z * z, 0.0));
+  const double dz = std::max({cylinder.z_min_mm - z, z - cylinder.z_max_mm, 0.0});
+  const double dr = std::max(rho - cylinder.radius_mm, 0.0);
+  return std::sqrt(dz * dz + dr * dr);
+}
+
+double distance_mm(const Vec3& point_mm, const Vec3& a_mm, const Vec3& b_mm, const Vec3& c_mm) {
+  const Vec3 n = (b_mm - a_mm).cross(c_mm - a_mm);
+  const auto left_of = [&](const Vec3& from, const Vec3& to) {
+    return n.dot((to - from).cross(point_mm - from)) >= 0.0;
+  };
+  const double length = n.norm();
+  if (length > 0.0 && left_of(a_mm, b_mm) && left_of(b_mm, c_mm) && left_of(c_mm, a_mm)) {
+    return std::abs(n.dot(point_mm - a_mm)) / length;
+  }
+  return std::min(
+      {to_segment_mm(point_mm, a_mm, b_mm), to_segment_mm(point_mm, b_mm, c_mm), to_segment_mm(point_mm, c_mm, a_mm)});
+}
+
+SphereTree::SphereTree(const geometry::TriangleMesh& mesh) {
+  std::vector<Corners> all;
+  all.reserve(mesh.triangles.size());
+  for (const geometry::Triangle& t : mesh.triangles) {
+    const auto corner = [&](std::size_t k) { return mesh.vertices_mm[static_cast<std::size_t>(t[k])]; };
+    all.push_back({corner(0), corner(1), corner(2)});
+  }
+  if (all.empty()) return;
+  std::vector<int> order(all.size());
+  std::iota(order.begin(), order.end(), 0);
+  nodes_.reserve(all.size());
+  nodes_.emplace_back();
+  fill(0, order, 0, all);
+  corners_.reserve(all.size());
+  least_mm_ = greatest_mm_ = all.front().a;
+  for (const int t : order) {
+    const Corners& k = all[static_cast<std::size_t>(t)];
+    corners_.push_back(k);
+    const Vec3 centroid = (k.a + k.b + k.c) / 3.0;
+    balls_.push_back({centroid, std::sqrt(std::max({(k.a - centroid).squaredNorm(), (k.b - centroid).squaredNorm(),
+                                                    (k.c - centroid).squaredNorm()}))});
+    least_mm_ = least_mm_.cwiseMin(k.a).cwiseMin(k.b).cwiseMin(k.c);
+    greatest_mm_ = greatest_mm_.cwiseMax(k.a).cwiseMax(k.b).cwiseMax(k.c);
+  }
+}
+
+void SphereTree::fill(std::size_t node, std::span<int> order, int first, const std::vector<Corners>& all) {
+  Vec3 least = all[static_cast<std::size_t>(order.front())].a, greatest = least;
+  for (const int t : order) {
+    const Corners& k = all[static_cast<std::size_t>(t)];
+    least = least.cwiseMin(k.a).cwiseMin(k.b).cwiseMin(k.c);
+    greatest = greatest.cwiseMax(k.a).cwiseMax(k.b).cwiseMax(k.c);
+  }
+  const Vec3 centre = 0.5 * (least + greatest);
+  double radius_sq = 0.0;
+  for (const int t : order) {
+    const Corners& k = all[static_cast<std::size_t>(t)];
+    radius_sq =
+        std::max({radius_sq, (k.a - centre).squaredNorm(), (k.b - centre).squaredNorm(), (k.c - centre).squaredNorm()});
+  }
+  nodes_[node] = {centre, std::sqrt(radius_sq), first, static_cast<int>(order.size())};
+  if (order.size() <= static_cast<std::size_t>(leaf_triangles)) return;
+  Eigen::Index split = 0;
+  (greatest - least).maxCoeff(&split);
+  const std::size_t half = order.size() / 2;
+  const auto key = [&](int t) {
+    const Corners& k = all[static_cast<std::size_t>(t)];
+    return k.a[split] + k.b[split] + k.c[split];
+  };
+  std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(half), order.end(), [&](int s, int t) {
+    const double ks = key(s), kt = key(t);
+    return ks != kt ? ks < kt : s < t;
+  });
+  const std::size_t child = nodes_.size();
+  nodes_.resize(child + 2);
+  nodes_[node].first = static_cast<int>(child);
+  nodes_[node].count = 0;
+  fill(child, order.first(half), first, all);
+  fill(child + 1, order.subspan(half), first + static_cast<int>(half), all);
+}
+
+double SphereTree::clearance_mm(const AxialCylinder& cylinder, double cap_mm, double enough_mm) const {
+  double best = cap_mm;
+  if (nodes_.empty()) return best;
+  const auto bound = [&](int n) {
+    const Node& node = nodes_[static_cast<std::size_t>(n)];
+    return distance_mm(cylinder, node.centre_mm) - node.radius_mm;
+  };
+  Stack stack;
+  stack.push(0, bound(0));
+  while (!stack.empty() && best > enough_mm) {
+    const Entry top = stack.pop();
+    if (top.bound >= best) continue;
+    const Node& node = nodes_[static_cast<std::size_t>(top.node)];
+    for (int k = 0; k < node.count; ++k) {
+      const Ball& ball = balls_[static_cast<std::size_t>(node.first + k)];
+      best = std::min(best, distance_mm(cylinder, ball.centre_mm) - ball.radius_mm);
+    }
+    if (node.count > 0) continue;
+    const double left = bound(node.first), right = bound(node.first + 1);
+    stack.push(left <= right ? node.first + 1 : node.first, std::max(left, right));
+    stack.push(left <= right ? node.first : node.first + 1, std::min(left, right));
+  }
+  return best;
+}
+
+double SphereTree::point_distance_mm(const Vec3& point_mm, double cap_mm) const {
+  double best = cap_mm;
+  if (nodes_.empty()) return best;
+  const auto bound = [&](int n) {
+    const Node& node = nodes_[static_cast<std::size_t>(n)];
+    return (point_mm - node.centre_mm).norm() - node.radius_mm;
+  };
+  Stack stack;
+  stack.push(0, bound(0));
+  while (!stack.empty()) {
+    const Entry top = stack.pop();
+    if (top.bound >= best) continue;
+    const Node& node = nodes_[static_cast<std::size_t>(top.node)];
+    for (int k = 0; k < node.count; ++k) {
+      const Corners& t = corners_[static_cast<std::size_t>(node.first + k)];
+      best = std::min(best, distance_mm(point_mm, t.a, t.b, t.c));
+    }
+    if (node.count > 0) continue;
+    const double left = bound(node.first), right = bound(node.first + 1);
+    stack.push(left <= right ? node.first + 1 : node.first, std::max(left, right));
+    stack.push(left <= right ? node.first : node.first + 1, std::min(left, right));
+  }
+  return best;
+}
+
+int SphereTree::crossings(const Vec3& from, const Vec3& direction) const {
+  if (nodes_.empty()) return 0;
+  int count = 0;
+  Stack stack;
+  stack.push(0, 0.0);
+  while (!stack.empty()) {
+    const Node& node = nodes_[static_cast<std::size_t>(stack.pop().node)];
+    const Vec3 d = node.centre_mm - from;
+    const double along = d.dot(direction);
+    if (along < -node.radius_mm || d.squaredNorm() - along * along > node.radius_mm * node.radius_mm * (1.0 + 1e-12))
+      continue;
+    for (int k = 0; k < node.count; ++k) {
+      const Corners& t = corners_[static_cast<std::size_t>(node.first + k)];
+      count += ray_crosses(from, direction, t.a, t.b, t.c) ? 1 : 0;
+    }
+    if (node.count > 0) continue;
+    stack.push(node.first, 0.0);
+    stack.push(node.first + 1, 0.0);
+  }
+  return count;
+}
+
+bool SphereTree::contains(const Vec3& point_mm) const {
+  if ((point_mm.array() < least_mm_.array()).any() || (point_mm.array() > greatest_mm_.array()).any()) return false;
+  // Directions that no edge of a made part is likely to follow.
+  static const std::array<Vec3, 3> rays = {Vec3(0.5377, 0.1834, 0.8229).normalized(),
+                                           Vec3(-0.3419, 0.8622, 0.3737).normalized(),
+                                           Vec3(-0.4336, -0.5768, 0.6924).normalized()};
+  int odd = 0;
+  for (const Vec3& ray : rays) odd += crossings(point_mm, ray) % 2;
+  return odd >= 2;
+}
+
+}  // namespace volute::planner

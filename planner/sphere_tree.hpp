@@ -1,0 +1,68 @@
+// Bounding spheres over the triangles of a mesh: quick lower bounds on distances, before an exact library is asked.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/mesh.hpp"
+
+namespace volute::planner {
+
+using geometry::Vec3;
+
+/// A cylinder on the line through `base_mm` along the unit `axis`, from z_min_mm to z_max_mm along it.
+struct AxialCylinder {
+  Vec3 base_mm = Vec3::Zero(), axis = Vec3::UnitZ();
+  double z_min_mm = 0.0, z_max_mm = 0.0, radius_mm = 0.0;
+};
+
+/// Distance from a point to the solid cylinder, mm; 0 inside.
+double distance_mm(const AxialCylinder& cylinder, const Vec3& point_mm);
+/// Distance from a point to a triangle, mm (Ericson 2005, 5.1.5).
+double distance_mm(const Vec3& point_mm, const Vec3& a_mm, const Vec3& b_mm, const Vec3& c_mm);
+
+/// Built once, then read by any number of threads.
+/// Properties, each with a test of that name: 1. ClearanceIsLowerBound. 2. PointDistanceIsExact. 3. ParityTellsInside.
+class SphereTree {
+ public:
+  /// Keeps its own copy of the corners.
+  explicit SphereTree(const geometry::TriangleMesh& mesh);
+
+  /// A lower bound on the distance between the cylinder and the mesh, at most `cap_mm`; below the truth by at most the
+  /// size of a triangle. Stops early and returns a value <= `enough_mm` as soon as the bound falls to it. An empty
+  /// mesh: cap_mm.
+  [[nodiscard]] double clearance_mm(const AxialCylinder& cylinder, double cap_mm, double enough_mm = 0.0) const;
+
+  /// The distance from the point to the mesh, at most `cap_mm`. Exact up to rounding.
+  [[nodiscard]] double point_distance_mm(const Vec3& point_mm, double cap_mm) const;
+
+  /// Is the point inside the closed mesh: parity of crossings along three slanted rays, by majority.
+  [[nodiscard]] bool contains(const Vec3& point_mm) const;
+
+  [[nodiscard]] const Vec3& least_mm() const { return least_mm_; }
+  [[nodiscard]] const Vec3& greatest_mm() const { return greatest_mm_; }
+
+ private:
+  struct Node {
+    Vec3 centre_mm;
+    double radius_mm;
+    int first, count;  ///< triangles of a leaf; count 0: children are first and first + 1
+  };
+  struct Corners {
+    Vec3 a, b, c;
+  };
+  struct Ball {
+    Vec3 centre_mm;
+    double radius_mm;
+  };
+
+  void fill(std::size_t node, std::span<int> order, int first, const std::vector<Corners>& all);
+  [[nodiscard]] int crossings(const Vec3& from, const Vec3& direction) const;
+
+  std::vector<Node> nodes_;
+  std::vector<Corners> corners_;
+  std::vector<Ball> balls_;  ///< round each triangle
+  Vec3 least_mm_ = Vec3::Zero(), greatest_mm_ = Vec3::Zero();
+};
+
+}  // namespace volute::planner

@@ -1,0 +1,183 @@
+#include "planner/interference.hpp"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "planner/contact.hpp"
+#include "planner/interference_shapes.hpp"
+#include "planner/sphere_tree.hpp"
+#include "tests/planner/scenes.hpp"
+
+namespace volute::planner {
+namespace {
+
+using kinematics::ToolPose;
+
+Scene plane_scene() {
+  Scene scene;
+  scene.part = testing::sheet(-50, 50, -50, 50, 2.0, [](double, double) { return 0.0; });
+  return scene;
+}
+
+TEST(Interference, CutterMayTouchButNotGouge) {
+  const Interference check(plane_scene(), testing::ball_tool(), nullptr, nullptr);
+  EXPECT_TRUE(check.is_free({Vec3(0.3, 0.2, 0.0), Vec3::UnitZ()}));
+  EXPECT_TRUE(check.is_free({Vec3(0.3, 0.2, -0.009), Vec3::UnitZ()}));
+  EXPECT_FALSE(check.is_free({Vec3(0.3, 0.2, -0.011), Vec3::UnitZ()}));
+  EXPECT_TRUE(check.is_free_but_tip({Vec3(0.3, 0.2, -0.5), Vec3::UnitZ()}));
+  EXPECT_NEAR(check.tip_depth_mm({Vec3(0.3, 0.2, -0.5), Vec3::UnitZ()}), 0.5, 1e-12);
+}
+
+TEST(Interference, HolderKeepsTheClearance) {
+  const Interference check(plane_scene(), testing::ball_tool(), nullptr, nullptr);
+  // Leaning by t the holder's lower rim stands at 40 cos t - 15 sin t above a tip ball's contact.
+  const auto height = [](double t) { return 3.0 - 3.0 * std::cos(t) + 40.0 * std::cos(t) - 15.0 * std::sin(t); };
+  const auto pose = [](double t) {
+    return contact_pose(testing::ball_tool().cutter, Vec3(0.3, 0.2, 0.0), Vec3::UnitZ(),
+                        Vec3(std::sin(t), 0.0, std::cos(t)));
+  };
+  for (double t = 1.0; t < 1.4; t += 0.01) {
+    const auto hit = check.first_hit(pose(t));
+    if (height(t) > 1.5) {  // square rim of the grown cylinder: up to 0.42 mm early
+      EXPECT_FALSE(hit) << t;
+    }
+    if (height(t) < 1.0) {
+      ASSERT_TRUE(hit) << t;
+      EXPECT_EQ(hit->tool_part, "holder");
+      EXPECT_EQ(hit->scene_part, "part");
+    }
+  }
+}
+
+TEST(Interference, ObstacleIsNamedAndKeptClear) {
+  Scene scene = plane_scene();
+  scene.obstacles = {testing::box(Vec3(10, -5, 0), Vec3(20, 5, 30))};
+  scene.names = {"post.stl"};
+  const Interference check(scene, testing::ball_tool(), nullptr, nullptr);
+  EXPECT_TRUE(check.is_free({Vec3(-16.0 + 10.0 - 0.01, 0.0, 0.0), Vec3::UnitZ()}));
+  const auto hit = check.first_hit({Vec3(6.05, 0.0, 0.0), Vec3::UnitZ()});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->scene_part, "post.stl");
+  EXPECT_EQ(hit->tool_part, "cutter");
+}
+
+TEST(Interference, WhollyInsideAClosedSolidIsAHit) {
+  Scene scene;
+  scene.obstacles = {testing::box(Vec3(-200, -200, -200), Vec3(200, 200, 200))};
+  const Interference check(scene, testing::ball_tool(), nullptr, nullptr);
+  EXPECT_FALSE(check.is_free({Vec3::Zero(), Vec3::UnitZ()}));
+  EXPECT_EQ(check.clearance_mm({Vec3::Zero(), Vec3::UnitZ()}, 5.0), 0.0);
+  EXPECT_TRUE(check.is_free({Vec3(0, 0, 210), Vec3::UnitZ()}));
+}
+
+TEST(Interference, ClearanceBoundsMotion) {
+  Scene scene = plane_scene();
+  scene.obstacles = {testing::box(Vec3(10, -5, 0), Vec3(20, 5, 60))};
+  const Interference check(scene, testing::ball_tool(), nullptr, nullptr);
+  const unsigned seed = 11;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  int tried = 0;
+  for (int n = 0; n < 400; ++n) {
+    const ToolPose pose{Vec3(30 * any(random), 30 * any(random), 20 + 20 * any(random)),
+                        Vec3(any(random), any(random), 1.0).normalized()};
+    const double clear = check.clearance_mm(pose, 5.0);
+    if (clear <= 0.0) continue;
+    ++tried;
+    ASSERT_TRUE(check.is_free_but_tip(pose)) << "seed " << seed << " case " << n;
+    for (int k = 0; k < 5; ++k) {
+      const Vec3 shift = 0.999 * clear * Vec3(any(random), any(random), any(random)).normalized();
+      ASSERT_TRUE(check.is_free_but_tip({pose.tip_P_mm + shift, pose.axis_P})) << "seed " << seed << " case " << n;
+    }
+  }
+  EXPECT_GT(tried, 30);
+}
+
+TEST(Interference, MachineLinksThatTouchAtZeroAreJoined) {
+  kinematics::Machine machine = testing::ac_head();
+  machine.gauge_at_zero_M.translation() = Vec3(0, 0, 300);
+  machine.shapes = {{3, "spindle", testing::box(Vec3(-30, -30, 300), Vec3(30, 30, 400))},
+                    {4, "fork", testing::box(Vec3(-50, -50, 390), Vec3(50, 50, 500))}};
+  Scene scene;
+  scene.obstacles = {testing::box(Vec3(100, -50, 0), Vec3(120, 50, 350))};
+  const kinematics::Setup setup;
+  const Interference check(scene, testing::ball_tool(), &machine, &setup);
+  ASSERT_TRUE(check.has_machine());
+  const ToolPose pose{Vec3(0, 0, 200), Vec3::UnitZ()};
+  kinematics::AxisVector q = kinematics::AxisVector::Zero();
+  EXPECT_TRUE(check.is_free(pose, q));
+  q[0] = 80.0;  // the spindle's box reaches the obstacle
+  EXPECT_FALSE(check.is_free(pose, q));
+}
+
+TEST(SphereTree, PointDistanceIsExact) {
+  const auto mesh = testing::sheet(-20, 20, -20, 20, 1.3,
+                                   [](double x, double y) { return 3.0 * std::sin(0.2 * x) * std::cos(0.15 * y); });
+  const SphereTree tree(mesh);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (int n = 0; n < 200; ++n) {
+    const Vec3 p(25 * any(random), 25 * any(random), 10 * any(random));
+    // Independent: the nearest of many points on each triangle can only be farther, by less than the sampling.
+    double sampled = 1e9;
+    for (const auto& t : mesh.triangles) {
+      const Vec3 &a = mesh.vertices_mm[static_cast<std::size_t>(t[0])],
+                 &b = mesh.vertices_mm[static_cast<std::size_t>(t[1])],
+                 &c = mesh.vertices_mm[static_cast<std::size_t>(t[2])];
+      if ((a - p).norm() > sampled + 3.0) continue;
+      for (int i = 0; i <= 8; ++i) {
+        for (int j = 0; i + j <= 8; ++j)
+          sampled = std::min(sampled, (a + (b - a) * i / 8.0 + (c - a) * j / 8.0 - p).norm());
+      }
+    }
+    const double exact = tree.point_distance_mm(p, 100.0);
+    EXPECT_LE(exact, sampled + 1e-12);
+    EXPECT_GT(exact, sampled - 0.12);
+    EXPECT_EQ(tree.point_distance_mm(p, 0.5 * exact), 0.5 * exact);
+  }
+}
+
+TEST(SphereTree, ParityTellsInside) {
+  const SphereTree tree(testing::box(Vec3(-1, -2, -3), Vec3(1, 2, 3)));
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-4.0, 4.0);
+  for (int n = 0; n < 500; ++n) {
+    const Vec3 p(any(random), any(random), any(random));
+    EXPECT_EQ(tree.contains(p), std::abs(p.x()) < 1 && std::abs(p.y()) < 2 && std::abs(p.z()) < 3) << p.transpose();
+  }
+}
+
+TEST(SphereTree, ClearanceIsLowerBound) {
+  const auto mesh = testing::sheet(-20, 20, -20, 20, 1.0, [](double x, double y) { return 0.02 * x * y; });
+  const SphereTree tree(mesh);
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (int n = 0; n < 100; ++n) {
+    const AxialCylinder cylinder{Vec3(15 * any(random), 15 * any(random), 12 + 6 * any(random)),
+                                 Vec3(any(random), any(random), any(random)).normalized(), 0.0, 5.0, 2.0};
+    double truth = 1e9;
+    for (const Vec3& v : mesh.vertices_mm) truth = std::min(truth, distance_mm(cylinder, v));
+    const double bound = tree.clearance_mm(cylinder, 100.0);
+    if (bound > 0.0) {
+      EXPECT_LE(bound, truth);
+    }
+    EXPECT_GT(bound, truth - 2.5);
+  }
+}
+
+TEST(PlacedShape, GrownShapesHoldTheTrueOnesAndShrunkOnesAreInside) {
+  kinematics::Tool tool = testing::ball_tool();
+  tool.cutter = {kinematics::CutterShape::bull, 6.0, 1.5, {}, 20.0, 2};
+  tool.holder = {{10.0, 20.0, 40.0, 30.0}};
+  for (const ToolPiece& piece : tool_pieces(tool)) {
+    const PlacedShape grown = placed_shape(piece, 1.0), shrunk = placed_shape(piece, -0.01);
+    EXPECT_GE(grown.radius_mm, std::max(piece.bottom_radius_mm, piece.top_radius_mm) + 1.0);
+    EXPECT_LE(grown.z_min_mm, piece.z_min_mm - 1.0 + 1e-9);
+    EXPECT_LT(shrunk.radius_mm, std::max(piece.bottom_radius_mm, piece.top_radius_mm));
+    EXPECT_GE(shrunk.z_min_mm, piece.z_min_mm);
+  }
+}
+
+}  // namespace
+}  // namespace volute::planner
