@@ -126,7 +126,7 @@ std::optional<Leads::Lead> Leads::free_lead(const ToolPathPoint& point, const Ve
   return std::nullopt;
 }
 
-Result<ToolPath> Leads::with_leads(const ToolPath& piece, int piece_number) const {
+geometry::Result<ToolPath> Leads::with_leads(const ToolPath& piece, int piece_number) const {
   VOLUTE_CHECK(piece.points.size() >= 2, piece.points.size());
   const ToolPathPoint& first = piece.points.front();
   const ToolPathPoint& last = piece.points.back();

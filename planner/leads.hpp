@@ -1,8 +1,10 @@
 // How the tool comes to the part and leaves it, in the air and clear of everything.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "geometry/result.hpp"
 #include "planner/interference.hpp"
 #include "planner/options.hpp"
 
@@ -18,7 +20,8 @@ class Leads {
         double clearance_z_mm);
 
   /// Requires: two points at least. Errors (bad_input): lead-blocked (no lead is free: where, and the remedy).
-  [[nodiscard]] Result<kinematics::ToolPath> with_leads(const kinematics::ToolPath& piece, int piece_number) const;
+  [[nodiscard]] geometry::Result<kinematics::ToolPath> with_leads(const kinematics::ToolPath& piece,
+                                                                  int piece_number) const;
   /// Rapids at clearance height from the end of one piece to the start of the next, so high that no axis on the way
   /// dips below it.
   void append(kinematics::ToolPath& whole, const kinematics::ToolPath& piece) const;
