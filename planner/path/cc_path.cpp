@@ -4,12 +4,11 @@
 
 #include "geometry/mesh_measure.hpp"
 #include "geometry/number_text.hpp"
+#include "planner/path/even_spiral.hpp"
+#include "planner/path/finish_path.hpp"
 #include "planner/path/guided_path.hpp"
 #include "planner/path/path_interval.hpp"
-
-#if __has_include("planner/path/even_spiral.hpp")
-#include "planner/path/even_spiral.hpp"
-#endif
+#include "planner/path/path_measure.hpp"
 
 namespace volute::planner {
 
@@ -55,12 +54,36 @@ Result<SurfaceReport> check_surface(const geometry::TriangleMesh& surface) {
   return report;
 }
 
-#if __has_include("planner/path/even_spiral.hpp")
-/// The optimised field; where it cannot hold one piece, the periodic one with a word on why.
+/// The optimised field, finished as the other methods are; plan_even_spiral runs inward and counter-clockwise.
+Result<CcPathResult> plan_even(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
+                               const PathOptions& options, const OrientationOptions& orientation) {
+  const bool mirror_image = sense_of(options.cut_direction) == Sense::clockwise;
+  auto result = plan_even_spiral(mirror_image ? mirrored(surface) : surface, cutter, options, orientation);
+  if (!result) return result;
+  if (mirror_image) mirror(*result);
+  const IntervalField intervals(surface, interval_rule(cutter, options.scallop_mm, orientation));
+  const CurveOptions curve = curve_options(cutter, options, orientation, intervals.rule());
+  for (CcPiece& piece : result->path.pieces) {
+    std::vector<RawStretch> stretches{{raw_points(piece.points), false}};
+    if (auto kept = keep_turns(stretches, options); !kept) return tl::unexpected(kept.error());
+    piece = finished_piece(std::move(stretches), options, curve);
+  }
+  PathReport report;
+  report.strategy = "spiral";
+  report.method = "even";
+  report.liftings = 2;
+  report.notes = result->report.notes;
+  report.rapid_traversals = static_cast<int>(result->path.pieces.size()) - 1;
+  measure_path({surface, intervals, {}, true, !options.from_turn && !options.to_turn}, result->path, report);
+  result->report = std::move(report);
+  return result;
+}
+
+/// Where the optimised field cannot hold one piece, the periodic one with a word on why.
 Result<CcPathResult> even_or_periodic(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
                                       const PathOptions& options, const OrientationOptions& orientation) {
-  auto even = plan_even_spiral(surface, cutter, options, orientation);
-  if (even) return even;
+  auto even = plan_even(surface, cutter, options, orientation);
+  if (even || even.error().code == "path-turns") return even;
   PathOptions periodic = options;
   periodic.method = Method::periodic;
   auto result = plan_guided_path(surface, cutter, periodic, orientation);
@@ -69,12 +92,6 @@ Result<CcPathResult> even_or_periodic(const geometry::TriangleMesh& surface, con
                                 "even: " + even.error().message + "; method periodic took its place");
   return result;
 }
-#else
-Result<CcPathResult> even_or_periodic(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
-                                      const PathOptions& options, const OrientationOptions& orientation) {
-  return plan_guided_path(surface, cutter, options, orientation);
-}
-#endif
 
 Result<CcPathResult> plan_by_strategy(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
                                       const PathOptions& options, const OrientationOptions& orientation) {

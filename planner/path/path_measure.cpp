@@ -145,13 +145,16 @@ std::vector<Vec3> even_points(const CcPiece& piece, double spacing_mm) {
   return points;
 }
 
-int count_corners(std::span<const Vec3> even, double spacing_mm, double window_mm, double angle_rad) {
+std::vector<double> corner_angles_rad(std::span<const Vec3> even, double spacing_mm, double window_mm,
+                                      double least_rad) {
   const auto window = static_cast<std::size_t>(std::max(1L, std::lround(window_mm / spacing_mm)));
-  int corners = 0;
+  std::vector<double> corners;
   std::size_t last = 0;
   for (std::size_t i = window; i + window < even.size(); ++i) {
-    if (turning_at(even, i, window) <= angle_rad) continue;
-    if (corners == 0 || i - last > window) ++corners;
+    const double angle = turning_at(even, i, window);
+    if (angle <= least_rad) continue;
+    if (corners.empty() || i - last > window) corners.push_back(angle);
+    corners.back() = std::max(corners.back(), angle);
     last = i;
   }
   return corners;
@@ -167,8 +170,10 @@ void measure_path(const MeasureRequest& request, const CcPath& path, PathReport&
     report.length_mm += piece_length_mm(piece);
     report.cc_points += static_cast<int>(piece.points.size());
     report.linkings += count_links(piece);
-    report.sharp_corners += count_corners(even, spacing_mm, 0.5 * flat_mm, 35.0 * degree);
-    report.sharp_corners_60 += count_corners(even, spacing_mm, 0.5 * flat_mm, 60.0 * degree);
+    for (double angle : corner_angles_rad(even, spacing_mm, 0.5 * flat_mm, 35.0 * degree)) {
+      ++report.sharp_corners;
+      if (angle > 60.0 * degree) ++report.sharp_corners_60;
+    }
     if (!request.seam_crossings_mm.empty())
       report.seam_kink_max_deg =
           std::max(report.seam_kink_max_deg.value_or(0.0),
@@ -176,6 +181,11 @@ void measure_path(const MeasureRequest& request, const CcPath& path, PathReport&
   }
   report.length_ratio = report.length_mm / report.lower_bound_mm;
   if (request.spiral_turns) report.interval_ratio_max = interval_ratio_max(request.surface, request.intervals, path);
+  if (!request.whole_surface) {
+    report.notes.emplace_back(
+        "only a part is machined: the lower bound is that of the whole surface, scallops are not measured");
+    return;
+  }
   const auto scallop = measure_scallop(request.surface, geometry::vertex_normals(request.surface), path, rule.radius_mm,
                                        rule.scallop_mm, scallop_samples_per_edge)
                            .statistics;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "planner/path/cc_path.hpp"
 #include "planner/path/path_interval.hpp"
@@ -14,6 +15,8 @@ struct MeasureRequest {
   const IntervalField& intervals;  ///< of the same mesh
   std::span<const Vec3> seam_crossings_mm;
   bool spiral_turns = false;  ///< CcPoint::turn grows along the path, one a turn: intervals can be measured
+  bool whole_surface =
+      true;  ///< false: the path covers a part; scallops are not measured and a note says what the bound is of
 };
 
 /// Fills `report` from `path` (all but strategy, method, rapid_traversals, liftings and notes). Definitions:
@@ -21,9 +24,10 @@ struct MeasureRequest {
 /// densely points stand.
 void measure_path(const MeasureRequest& request, const CcPath& path, PathReport& report);
 
-/// Places where chords of `window_mm` before and behind differ by more than `angle_rad`; places nearer than a window
-/// are one.
-int count_corners(std::span<const Vec3> even_points, double spacing_mm, double window_mm, double angle_rad);
+/// Places where chords of `window_mm` before and behind differ by more than `least_rad`, with the largest angle there;
+/// places nearer than a window to each other are one corner.
+std::vector<double> corner_angles_rad(std::span<const Vec3> even_points, double spacing_mm, double window_mm,
+                                      double least_rad);
 
 /// Points every `spacing_mm` (a little less) along a piece, ends included.
 std::vector<Vec3> even_points(const CcPiece& piece, double spacing_mm);

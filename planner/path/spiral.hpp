@@ -3,16 +3,10 @@
 
 #include <vector>
 
-#include "planner/path/cc_curve.hpp"
+#include "planner/path/finish_path.hpp"
 #include "planner/path/guide_field.hpp"
 
 namespace volute::planner {
-
-/// A stretch of path that is smooth in itself; `link`: it leads from one pass to the next.
-struct RawStretch {
-  std::vector<RawPoint> points;
-  bool link = false;
-};
 
 struct GuidePath {
   std::vector<RawStretch> stretches;  ///< each starts where the one before ends
@@ -20,9 +14,6 @@ struct GuidePath {
   std::vector<std::vector<geometry::Vec2>> map_lines;  ///< the guide lines in the map
   int lines_dropped = 0;  ///< level lines that are no part of the spiral (0 for a sound map)
 };
-
-/// Which way round, seen along the outer normal.
-enum class Sense { counter_clockwise, clockwise };
 
 /// One spiral from the outer boundary to the inner one: half a turn along the outer boundary, the guide line of eq. 11,
 /// half a turn along the inner boundary. Departs from the source: eq. 11 starts on the seam and leaves the boundaries'
