@@ -43,5 +43,7 @@ class Dialect {
 
 /// LinuxCNC, Fanuc, Haas, Mazak.
 std::unique_ptr<Dialect> make_word_dialect(Reading& reading);
+std::unique_ptr<Dialect> make_siemens_dialect(Reading& reading);
+std::unique_ptr<Dialect> make_heidenhain_dialect(Reading& reading);
 
 }  // namespace volute::sim

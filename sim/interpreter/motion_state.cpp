@@ -16,7 +16,20 @@ bool has(unsigned mask, std::size_t bit) { return ((mask >> bit) & 1U) != 0; }
 
 MotionState::MotionState(const kinematics::Machine& machine, const kinematics::Control& control, Diagnosis& diagnosis)
     : diagnosis_(diagnosis), shortest_way_(control.rotary_shortest_way) {
-  rotary_letters_ = {machine.axes[3].letter, machine.axes[4].letter};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const kinematics::Axis& axis = machine.axes[3 + i];
+    rotary_letters_[i] = axis.letter;
+    travel_min_rad_[i] = axis.travel_min;
+    travel_max_rad_[i] = axis.travel_max;
+  }
+}
+
+bool MotionState::plain_way_is_short(int axis, double target_rad) const {
+  const auto i = static_cast<std::size_t>(axis);
+  const double target = target_rad + shift.rotary_rad[i];
+  const auto near = [target](double from) { return std::abs(target - from) < std::numbers::pi - 1e-9; };
+  if (rotary_known_[i]) return near(rotary_[i]);
+  return travel_min_rad_[i] && travel_max_rad_[i] && near(*travel_min_rad_[i]) && near(*travel_max_rad_[i]);
 }
 
 int MotionState::rotary_of(char letter) const {
@@ -144,12 +157,12 @@ void MotionState::place_rotary(const MoveWords& words, MotionBlock& out) {
     if (has(words.rotary, i)) {
       out.rotary_programmed[i] = true;
       if (!has(words.rotary_incremental, i)) {
-        const double move_shift = words.machine_coordinates ? 0.0 : shift.rotary_rad[i];
-        rotary_[i] = words.rotary_rad[i] + move_shift;
+        // By the short way the turn that is reached depends on where the axis stood.
+        const bool turn_known = !shortest || plain_way_is_short(static_cast<int>(i), words.rotary_rad[i]);
+        rotary_[i] = words.rotary_rad[i] + (words.machine_coordinates ? 0.0 : shift.rotary_rad[i]);
         out.rotary_rad[i] = rotary_[i];
         out.rotary_known[i] = true;
-        // By the short way the turn that is reached depends on where the axis stood.
-        rotary_known_[i] = !shortest;
+        rotary_known_[i] = turn_known;
         out.rotary_shortest = shortest;
         continue;
       }

@@ -84,6 +84,9 @@ class MotionState {
   /// The same in the program's own coordinates.
   [[nodiscard]] std::optional<double> program_linear_mm(int axis) const;
   [[nodiscard]] std::optional<double> program_rotary_rad(int axis) const;
+  /// True when the way to `target_rad` (program coordinates) is at most half a turn from wherever the axis may stand:
+  /// from its known position, or from anywhere in its travel. Then the short way is the plain way.
+  [[nodiscard]] bool plain_way_is_short(int axis, double target_rad) const;
   [[nodiscard]] int rotary_of(char letter) const;  ///< 0 or 1; -1: the machine has none of that letter
   [[nodiscard]] char rotary_letter(int rotary) const;
 
@@ -99,6 +102,7 @@ class MotionState {
 
   Diagnosis& diagnosis_;
   std::array<char, 2> rotary_letters_{};
+  std::array<std::optional<double>, 2> travel_min_rad_, travel_max_rad_;
   bool shortest_way_ = false;
   Vec3 position_mm_ = Vec3::Zero();
   std::array<bool, 3> known_{};

@@ -6,24 +6,12 @@ namespace volute::sim {
 
 namespace {
 
-/// A dialect that this reader does not know refuses every program.
-class UnreadDialect final : public Dialect {
- public:
-  explicit UnreadDialect(Reading& reading) : reading_(reading) {}
-  bool advance() override {
-    reading_.source.next_line();
-    return reading_.diagnosis.fault(0, "program-dialect", "programs of this control's dialect are not read");
-  }
-
- private:
-  Reading& reading_;
-};
-
 std::unique_ptr<Dialect> make_dialect(Reading& reading) {
   switch (reading.control.family) {
     case kinematics::DialectFamily::siemens:
+      return make_siemens_dialect(reading);
     case kinematics::DialectFamily::heidenhain:
-      return std::make_unique<UnreadDialect>(reading);
+      return make_heidenhain_dialect(reading);
     default:
       return make_word_dialect(reading);
   }

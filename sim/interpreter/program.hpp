@@ -42,6 +42,8 @@ struct MotionBlock {
   std::array<bool, 2> rotary_relative{};  ///< as xyz_relative
   bool rotary_shortest = false;           ///< absolute rotary words count modulo one turn, the short way
   std::optional<Vec3> axis_vector;        ///< unit tool axis at the end, in the work frame
+  /// What the program itself asks for (ORIAXES, ORIVECT, PATHCTRL); empty: the control's own way.
+  std::optional<kinematics::OrientationInterpolation> orientation_interpolation;
   // arc: centre and turns in program coordinates
   Vec3 centre_mm = Vec3::Zero();
   Vec3 plane_normal = Vec3::UnitZ();

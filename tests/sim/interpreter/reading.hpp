@@ -21,6 +21,8 @@ inline kinematics::Machine machine_with(char first, char second) {
     machine.axes[i].letter = letters[i];
     machine.axes[i].kind = i < 3 ? kinematics::AxisKind::linear : kinematics::AxisKind::rotary;
   }
+  machine.axes[3].travel_min = -110.0 * rad_per_deg;
+  machine.axes[3].travel_max = 110.0 * rad_per_deg;
   return machine;
 }
 

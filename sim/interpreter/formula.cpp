@@ -1,0 +1,153 @@
+#include "sim/interpreter/formula.hpp"
+
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "geometry/number_text.hpp"
+#include "sim/interpreter/expression.hpp"
+
+namespace volute::sim {
+
+namespace {
+constexpr int depth_most = 64;
+constexpr double rad_per_deg = std::numbers::pi / 180.0;
+char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
+bool letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+bool digit(char c) { return c >= '0' && c <= '9'; }
+}  // namespace
+
+void Formula::skip_blanks() {
+  while (at_ < line_.size() && (line_[at_] == ' ' || line_[at_] == '\t')) ++at_;
+}
+
+bool Formula::sum(double& out) {
+  if (++depth_ > depth_most) return fault(at_, "the formula is nested too deeply");
+  if (!product(out)) return false;
+  for (skip_blanks(); peek() == '+' || peek() == '-'; skip_blanks()) {
+    const char sign = line_[at_++];
+    double right = 0.0;
+    if (!product(right)) return false;
+    out += sign == '+' ? right : -right;
+  }
+  --depth_;
+  return true;
+}
+
+bool Formula::product(double& out) {
+  if (!factor(out)) return false;
+  for (skip_blanks(); peek() == '*' || peek() == '/'; skip_blanks()) {
+    const std::size_t column = at_;
+    const char sign = line_[at_++];
+    double right = 0.0;
+    if (!factor(right)) return false;
+    out = sign == '*' ? out * right : out / right;
+    if (!std::isfinite(out)) return fault(column, "the result is not a finite number");
+  }
+  return true;
+}
+
+bool Formula::factor(double& out) {
+  skip_blanks();
+  bool point = false;
+  if (const auto number = read_plain_number(line_, at_, point)) {
+    out = *number;
+    return true;
+  }
+  if (++depth_ > depth_most) return fault(at_, "the formula is nested too deeply");
+  bool ok = false;
+  const char c = peek();
+  if (c == '+' || c == '-') {
+    ++at_;
+    ok = factor(out);
+    if (c == '-') out = -out;
+  } else if (c == '(') {
+    ++at_;
+    ok = sum(out);
+    skip_blanks();
+    if (ok && peek() != ')') ok = fault(at_, "\")\" is missing here");
+    if (ok) ++at_;
+  } else if (upper(c) == variable_ && at_ + 1 < line_.size() && digit(line_[at_ + 1])) {
+    const std::size_t column = at_;
+    int index = 0;
+    ok = variable_index(index);
+    if (ok) {
+      const auto value = variables_.get(index);
+      if (!value)
+        return diagnosis_.fault(column, "program-parameter",
+                                variable_ + std::to_string(index) + " has no value here; set it in the program");
+      out = *value;
+    }
+  } else if (letter(c)) {
+    ok = function(out);
+  } else {
+    ok = fault(at_, "a number is missing here");
+  }
+  --depth_;
+  return ok;
+}
+
+bool Formula::variable_index(int& out) {
+  const std::size_t column = at_++;
+  const std::size_t first = at_;
+  while (digit(peek())) ++at_;
+  const auto index = geometry::parse_integer(line_.substr(first, at_ - first));
+  if (!index || *index > Variables::highest)
+    return diagnosis_.fault(column, "program-parameter",
+                            std::string("behind ") + variable_ + " stands a number from 0 to 1999");
+  out = static_cast<int>(*index);
+  return true;
+}
+
+bool Formula::arc_tangent(double& out) {
+  const std::size_t column = at_;
+  double y = 0.0, x = 0.0;
+  skip_blanks();
+  if (peek() != '(') return fault(column, "ATAN2 takes (y, x)");
+  ++at_;
+  if (!sum(y)) return false;
+  skip_blanks();
+  if (peek() != ',') return fault(at_, "ATAN2 takes (y, x)");
+  ++at_;
+  if (!sum(x)) return false;
+  skip_blanks();
+  if (peek() != ')') return fault(at_, "\")\" is missing here");
+  ++at_;
+  out = std::atan2(y, x) / rad_per_deg;
+  return true;
+}
+
+bool Formula::function(double& out) {
+  const std::size_t column = at_;
+  std::string name;
+  while (letter(peek()) || (!name.empty() && digit(peek()))) name += upper(line_[at_++]);
+  if (name == "ATAN2") return arc_tangent(out);
+  double x = 0.0;
+  if (name == "PI") {
+    out = std::numbers::pi;
+    return true;
+  }
+  if (!factor(x)) return false;
+  if (name == "SIN")
+    out = std::sin(x * rad_per_deg);
+  else if (name == "COS")
+    out = std::cos(x * rad_per_deg);
+  else if (name == "TAN")
+    out = std::tan(x * rad_per_deg);
+  else if (name == "ASIN")
+    out = std::asin(x) / rad_per_deg;
+  else if (name == "ACOS")
+    out = std::acos(x) / rad_per_deg;
+  else if (name == "SQRT")
+    out = std::sqrt(x);
+  else if (name == "ABS")
+    out = std::abs(x);
+  else if (name == "POT" || name == "SQ")
+    out = x * x;
+  else
+    return fault(column, quoted(name) + " is not a function that is known here");
+  return std::isfinite(out) || fault(column, "the result of " + name + " is not a finite number");
+}
+
+}  // namespace volute::sim
