@@ -3,17 +3,24 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace volute::sim {
 
-/// report.json "findings". Sorted by severity: collision, gouge, limit, travel, uncut, tilt, disagreement.
+/// report.json "findings". Sorted by severity: collision, gouge, limit, travel, uncut, tilt, disagreement, clearance.
 struct Finding {
   std::string kind;
-  std::int64_t line = 0;     ///< of the program; key "block" in the report
+  std::int64_t line = 0;  ///< of the program; key "block" in the report
   double time_s = 0.0;
   std::string axis_or_pair;
   double value = 0.0, limit = 0.0;  ///< mm, deg, or the axis's unit
-  std::string text;          ///< one line
+  std::string text;                 ///< one line
 };
+
+/// Place of a kind in the order of severity, 0 the worst; unknown kinds come last.
+int severity(const std::string& kind);
+
+/// By severity, then line, then time; equal ones keep their order.
+void sort_by_severity(std::vector<Finding>& findings);
 
 }  // namespace volute::sim

@@ -11,18 +11,25 @@
 
 namespace volute::sim {
 
-struct DriveLoad { double peak = 0.0, rms = 0.0; };  ///< N or Nm
+struct DriveLoad {
+  double peak = 0.0, rms = 0.0;
+};  ///< N or Nm
 
 struct LoadsReport {
-  bool known = false;   ///< the machine file gives masses
+  bool known = false;  ///< the machine file gives masses
   std::array<DriveLoad, kinematics::axis_count> axes;
   std::vector<Finding> findings;
 };
 
-/// Drive forces (N) and torques (Nm) for one state; gravity along -z of M.
-AxisVector drive_forces(const kinematics::Machine& machine, const AxisVector& q, const AxisVector& velocity, const AxisVector& acceleration);
+/// Force (N) or torque (Nm) that each drive gives for one state: inertia, gravity, viscous and dry friction of the
+/// links; the part's and the tool's own masses are not in machine files and count as none. `velocity` and
+/// `acceleration` per s and s^2 of q's units. Gravity pulls along -z of the base, which is -z of M with every axis at
+/// zero. Positive: in the axis's positive direction. Property: force times velocity, summed over the axes, is the
+/// change of kinetic and potential energy plus what friction takes.
+AxisVector drive_forces(const kinematics::Machine& machine, const AxisVector& q, const AxisVector& velocity,
+                        const AxisVector& acceleration);
 
-/// Gathers loads over a run, chunk by chunk.
+/// Gathers loads over a run, chunk by chunk. The machine must outlive the meter.
 class LoadsMeter {
  public:
   explicit LoadsMeter(const kinematics::Machine& machine);
@@ -30,8 +37,11 @@ class LoadsMeter {
   [[nodiscard]] LoadsReport report() const;
 
  private:
+  void take(int axis, double load, const AxisSample& sample);
   const kinematics::Machine* machine_;
   std::array<double, kinematics::axis_count> square_sum_{};
+  std::array<std::int64_t, kinematics::axis_count> peak_line_{};
+  std::array<double, kinematics::axis_count> peak_time_s_{};
   std::int64_t count_ = 0;
   LoadsReport report_;
 };

@@ -1,0 +1,224 @@
+#include "sim/collision.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "geometry/check.hpp"
+#include "geometry/number_text.hpp"
+#include "sim/collision_scene.hpp"
+
+namespace volute::sim {
+namespace {
+
+using geometry::short_text;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Where the moving things stand.
+struct Stand {
+  std::vector<Transform> X_M;
+};  // one a body
+
+/// A state between two, or one of them.
+struct Moment {
+  AxisVector q;
+  std::int64_t line;
+  double time_s;
+};
+
+struct Contact {
+  std::size_t pair;
+  double distance_mm;
+  std::int64_t line;
+  double time_s;
+  std::size_t index;
+};
+
+/// What a piece of the run gives; pieces are joined in order.
+struct PieceReport {
+  std::int64_t pairs = 0;
+  double closest_mm = infinite;
+  std::size_t closest_pair = 0;
+  std::int64_t at_line = 0;
+  std::vector<Contact> contacts;
+};
+
+class RunCheck {
+ public:
+  RunCheck(const CollisionPairs& pairs, const std::vector<MachineState>& states, double clearance_mm, double step_mm)
+      : pairs_(pairs), states_(states), clearance_mm_(clearance_mm), step_mm_(step_mm) {}
+
+  /// Checks the states [first, last] and what lies between them.
+  [[nodiscard]] PieceReport check(std::size_t first, std::size_t last) const {
+    PieceReport report;
+    std::vector<double> free_mm(pairs_.pairs.size(),
+                                0.0);  // how far the pair may still move before it must be looked at
+    Stand here = stand(states_[first].q);
+    look(here, {states_[first].q, states_[first].line, states_[first].time_s}, first, free_mm, report);
+    for (std::size_t i = first + 1; i <= last; ++i) {
+      const Stand next = stand(states_[i].q);
+      const std::vector<double> moved = motion(here, next);
+      const double most = *std::max_element(moved.begin(), moved.end());
+      const bool all_free =
+          std::equal(moved.begin(), moved.end(), free_mm.begin(), [](double m, double f) { return m < f; });
+      const int parts = all_free ? 1 : std::max(1, static_cast<int>(std::ceil(most / step_mm_)));
+      for (int k = 1; k <= parts; ++k) {
+        for (std::size_t p = 0; p < moved.size(); ++p) free_mm[p] -= moved[p] / parts;
+        const double share = static_cast<double>(k) / parts;
+        const MachineState& a = states_[i - 1];
+        const MachineState& b = states_[i];
+        const AxisVector q = a.q + share * (b.q - a.q);
+        look(k == parts ? next : stand(q), {q, b.line, a.time_s + share * (b.time_s - a.time_s)}, i, free_mm, report);
+      }
+      here = next;
+    }
+    return report;
+  }
+
+ private:
+  [[nodiscard]] Stand stand(const AxisVector& q) const {
+    Stand out;
+    out.X_M.reserve(pairs_.bodies.size());
+    for (const auto& body : pairs_.bodies) out.X_M.push_back(body.X_M(q));
+    return out;
+  }
+
+  /// How far the two bodies of each pair can have come closer on the way.
+  [[nodiscard]] std::vector<double> motion(const Stand& a, const Stand& b) const {
+    std::vector<double> body_mm;
+    for (std::size_t i = 0; i < pairs_.bodies.size(); ++i) {
+      const CollisionBody& body = *pairs_.bodies[i].body;
+      const Vec3 shift = b.X_M[i] * body.centre_mm() - a.X_M[i] * body.centre_mm();
+      const Eigen::AngleAxisd turn(a.X_M[i].linear().transpose() * b.X_M[i].linear());
+      body_mm.push_back(shift.norm() + body.radius_mm() * std::abs(turn.angle()));
+    }
+    std::vector<double> out;
+    for (const auto& pair : pairs_.pairs) out.push_back(body_mm[pair.a] + body_mm[pair.b]);
+    return out;
+  }
+
+  void look(const Stand& at, const Moment& moment, std::size_t index, std::vector<double>& free_mm,
+            PieceReport& report) const {
+    for (std::size_t p = 0; p < pairs_.pairs.size(); ++p) {
+      if (free_mm[p] > 0.0) continue;
+      const auto& pair = pairs_.pairs[p];
+      const double alarm = pair.cutter_and_part ? 0.0 : clearance_mm_;
+      const double reach =
+          std::max(alarm, std::isfinite(report.closest_mm) && !pair.cutter_and_part ? report.closest_mm : alarm);
+      const double bound =
+          std::isfinite(report.closest_mm) || pair.cutter_and_part ? reach + look_beyond_steps * step_mm_ : infinite;
+      const Transform X_BA = at.X_M[pair.b].inverse() * at.X_M[pair.a];
+      const double distance =
+          body_distance_mm(*pairs_.bodies[pair.a].body, *pairs_.bodies[pair.b].body, X_BA, bound, report.pairs);
+      if (!pair.cutter_and_part && distance < report.closest_mm) {
+        report.closest_mm = distance;
+        report.closest_pair = p;
+        report.at_line = moment.line;
+      }
+      if (distance <= 0.0 || distance < alarm)
+        report.contacts.push_back({p, distance, moment.line, moment.time_s, index});
+      // The pair need not be looked at before it can come nearer than anything seen, less a step, or than the alarm.
+      const double seen = pair.cutter_and_part ? alarm : std::max(alarm, report.closest_mm - step_mm_);
+      free_mm[p] = std::max(0.0, distance - seen);
+    }
+  }
+
+  static constexpr double look_beyond_steps = 8.0;
+  const CollisionPairs& pairs_;
+  const std::vector<MachineState>& states_;
+  double clearance_mm_, step_mm_;
+};
+
+/// One finding for each stretch of a pair: contacts of the same pair in neighbouring states are one.
+class FindingList {
+ public:
+  FindingList(const CollisionPairs& pairs, double clearance_mm, CollisionReport& report)
+      : pairs_(pairs), clearance_mm_(clearance_mm), report_(report), open_(pairs.pairs.size()) {}
+
+  void add(const Contact& contact) {
+    const bool hit = contact.distance_mm <= 0.0;
+    auto& stretch = open_[contact.pair];
+    if (!stretch || contact.index > stretch->last_index + 1 || (hit && !stretch->hit)) stretch = begin(contact, hit);
+    stretch->last_index = contact.index;
+    if (!stretch->finding) return;
+    double& value = report_.findings[*stretch->finding].value;
+    if (hit)
+      value = std::max(value, -contact.distance_mm);
+    else if (!stretch->hit)
+      value = std::min(value, contact.distance_mm);
+  }
+
+ private:
+  struct Stretch {
+    std::size_t last_index;
+    bool hit;
+    std::optional<std::size_t> finding;
+  };
+
+  Stretch begin(const Contact& contact, bool hit) {
+    constexpr std::size_t findings_max = 200;
+    report_.sim_hits += hit ? 1 : 0;
+    if (report_.findings.size() >= findings_max) return {contact.index, hit, std::nullopt};
+    report_.findings.push_back({hit ? "collision" : "clearance", contact.line, contact.time_s,
+                                pairs_.pair_name(contact.pair), hit ? -contact.distance_mm : contact.distance_mm,
+                                hit ? 0.0 : clearance_mm_, ""});
+    return {contact.index, hit, report_.findings.size() - 1};
+  }
+
+  const CollisionPairs& pairs_;
+  double clearance_mm_;
+  CollisionReport& report_;
+  std::vector<std::optional<Stretch>> open_;
+};
+
+void tell(Finding& finding) {
+  const std::string where = "line " + std::to_string(finding.line) + ": ";
+  if (finding.kind == "collision") {
+    finding.text = where + finding.axis_or_pair + " meet at " + short_text(finding.time_s, 6) + " s (" +
+                   short_text(finding.value, 3) + " mm deep where first seen)";
+  } else {
+    finding.text = where + finding.axis_or_pair + " come as close as " + short_text(finding.value, 4) + " mm; " +
+                   short_text(finding.limit, 4) + " mm is asked for";
+  }
+}
+
+}  // namespace
+
+CollisionReport check_collisions(const CollisionScene& scene, const kinematics::Machine& machine,
+                                 const kinematics::Setup& setup, const std::vector<MachineState>& states,
+                                 double step_mm) {
+  VOLUTE_CHECK(step_mm > 0.0, step_mm);
+  CollisionReport report;
+  if (states.empty()) return report;
+  const CollisionPairs pairs = collision_pairs(scene, machine, setup);
+  if (pairs.pairs.empty()) return report;
+  // Pieces of a fixed size, so that the result is the same however many threads share them.
+  constexpr std::size_t piece_states = 512;
+  const std::size_t moves = std::max<std::size_t>(1, states.size() - 1),
+                    count = (moves + piece_states - 1) / piece_states;
+  std::vector<PieceReport> pieces(count);
+  const RunCheck run(pairs, states, scene.clearance_mm, step_mm);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    pieces[i] = run.check(i * piece_states, std::min((i + 1) * piece_states, states.size() - 1));
+  });
+  double closest = infinite;
+  for (const auto& piece : pieces) {
+    report.pairs_checked += piece.pairs;
+    if (piece.closest_mm >= closest) continue;
+    closest = report.closest_mm = piece.closest_mm;
+    report.closest_pair = pairs.pair_name(piece.closest_pair);
+    report.at_line = piece.at_line;
+  }
+  FindingList findings(pairs, scene.clearance_mm, report);
+  for (const auto& piece : pieces) {
+    for (const Contact& contact : piece.contacts) findings.add(contact);
+  }
+  std::for_each(report.findings.begin(), report.findings.end(), tell);
+  return report;
+}
+
+}  // namespace volute::sim

@@ -1,0 +1,232 @@
+#include "sim/machining/swept_cutter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace volute::sim {
+namespace {
+
+using kinematics::CutterShape;
+
+bool has_ball_nose(const kinematics::Cutter& cutter) {
+  return cutter.shape == CutterShape::ball || cutter.shape == CutterShape::taper_ball;
+}
+
+/// Places this far apart leave cusps of tolerance_mm between round things of radius_mm.
+double spacing_for_cusp(double radius_mm, double tolerance_mm) { return std::sqrt(8.0 * radius_mm * tolerance_mm); }
+
+StandingCutter between(const StandingCutter& a, const StandingCutter& b, double share) {
+  return {a.tip_mm + share * (b.tip_mm - a.tip_mm), ((1.0 - share) * a.axis + share * b.axis).normalized()};
+}
+
+/// Box of a disc.
+void extend_by_disc(Box& box, const Vec3& centre, const Vec3& axis, double radius) {
+  const Vec3 reach = radius * (Vec3::Ones() - axis.cwiseProduct(axis)).cwiseMax(0.0).cwiseSqrt();
+  box.extend(Vec3(centre - reach));
+  box.extend(Vec3(centre + reach));
+}
+
+/// A line enters a flank below the ball's own entry only where it comes from the side: above this cosine between the
+/// surface normal and the axis the ball reaches lower.
+constexpr double flank_cosine = 0.7;
+
+}  // namespace
+
+std::optional<double> capsule_entry_mm(const Vec3& from_mm, const Vec3& to_mm, double radius_mm, const Vec3& point_mm,
+                                       const Vec3& direction, double limit_mm) {
+  const Vec3 w = from_mm - point_mm, v = to_mm - from_mm;
+  const double w_along = w.dot(direction), v_along = v.dot(direction);
+  const Vec3 w_across = w - w_along * direction, v_across = v - v_along * direction;
+  // The ball at share s begins at t(s) = w_along + s v_along - sqrt(q(s)), q(s) = top - k (s - middle)^2: convex where
+  // q >= 0.
+  const double k = v_across.squaredNorm();
+  const double middle = k > 0.0 ? -w_across.dot(v_across) / k : 0.0;
+  const double top =
+      radius_mm * radius_mm - (k > 0.0 ? (w_across + middle * v_across).squaredNorm() : w_across.squaredNorm());
+  if (top < 0.0) return std::nullopt;
+  double share = 0.0;
+  if (k > 0.0)
+    share = std::clamp(middle - v_along * std::sqrt(top / (k * (k + v_along * v_along))), 0.0, 1.0);
+  else
+    share = v_along < 0.0 ? 1.0 : 0.0;
+  const double q = k > 0.0 ? top - k * (share - middle) * (share - middle) : top;
+  if (q < 0.0) return std::nullopt;
+  const double entry = w_along + share * v_along - std::sqrt(q);
+  if (entry > limit_mm) return std::nullopt;
+  if (entry >= 0.0) return entry;
+  const double length_sq = v.squaredNorm();
+  const double nearest = length_sq > 0.0 ? std::clamp(-w.dot(v) / length_sq, 0.0, 1.0) : 0.0;
+  if ((w + nearest * v).squaredNorm() > radius_mm * radius_mm)
+    return std::nullopt;  // wholly below: the other side of a thin wall
+  return entry;
+}
+
+SweptCutter::SweptCutter(const kinematics::Cutter& cutter, const std::vector<SweptPose>& poses, double tolerance_mm)
+    : profile_(cutter), ball_nose_(has_ball_nose(cutter)), ball_radius_mm_(ball_nose_ ? cutter.radius_mm : 0.0) {
+  if (ball_nose_) {
+    centres_.reserve(poses.size());
+    for (const auto& p : poses) centres_.push_back(p.pose.tip_P_mm + ball_radius_mm_ * p.pose.axis_P);
+  }
+  make_places(poses, tolerance_mm);
+  make_trees();
+}
+
+void SweptCutter::make_places(const std::vector<SweptPose>& poses, double tolerance_mm) {
+  // A sharp corner has no cusp formula of its own: the search between neighbours in refine() finds its lowest point.
+  const double round =
+      ball_nose_ || profile_.corner_radius_mm() == 0.0 ? profile_.greatest_radius_mm() : profile_.corner_radius_mm();
+  const double spacing = spacing_for_cusp(round, tolerance_mm);
+  slack_mm_ = !ball_nose_ && profile_.corner_radius_mm() == 0.0 ? 0.25 * spacing : 2.0 * tolerance_mm;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const StandingCutter here{poses[i].pose.tip_P_mm, poses[i].pose.axis_P};
+    if (i > 0) {
+      const StandingCutter before{poses[i - 1].pose.tip_P_mm, poses[i - 1].pose.axis_P};
+      const double tip = (here.tip_mm - before.tip_mm).norm();
+      const double top =
+          (here.tip_mm + profile_.length_mm() * here.axis - before.tip_mm - profile_.length_mm() * before.axis).norm();
+      const int parts = static_cast<int>(std::ceil(std::max(tip, top) / spacing));
+      for (int k = 1; k < parts; ++k) {
+        places_.push_back({between(before, here, static_cast<double>(k) / parts), static_cast<std::int32_t>(i)});
+      }
+    }
+    places_.push_back({here, static_cast<std::int32_t>(i)});
+  }
+}
+
+void SweptCutter::make_trees() {
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i + 1 < centres_.size() || (i == 0 && centres_.size() == 1); ++i) {
+    Box box(centres_[i]);
+    box.extend(centres_[std::min(i + 1, centres_.size() - 1)]);
+    boxes.emplace_back(Vec3(box.min().array() - ball_radius_mm_), Vec3(box.max().array() + ball_radius_mm_));
+  }
+  move_tree_ = BoxTree(boxes);
+  boxes.clear();
+  boxes.reserve(places_.size());
+  const double bottom = ball_nose_ ? profile_.flank_start().y() : 0.0;
+  const double bottom_radius = ball_nose_ ? profile_.flank_start().x() : profile_.greatest_radius_mm();
+  for (const Place& place : places_) {
+    Box box;
+    extend_by_disc(box, place.cutter.tip_mm + bottom * place.cutter.axis, place.cutter.axis, bottom_radius);
+    extend_by_disc(box, place.cutter.tip_mm + profile_.length_mm() * place.cutter.axis, place.cutter.axis,
+                   profile_.greatest_radius_mm());
+    boxes.push_back(box);
+  }
+  place_tree_ = BoxTree(boxes);
+}
+
+void SweptCutter::near(const Vec3& centre_mm, double radius_mm, Near& out) const {
+  out.clear();
+  move_tree_.near(centre_mm, radius_mm, [&](std::int32_t move) { out.moves.push_back(move); });
+  const double reach = radius_mm + profile_.greatest_radius_mm();
+  place_tree_.near(centre_mm, radius_mm, [&](std::int32_t item) {
+    const StandingCutter& cutter = places_[static_cast<std::size_t>(item)].cutter;
+    const Vec3 w = centre_mm - cutter.tip_mm;
+    const double along = std::clamp(w.dot(cutter.axis), 0.0, profile_.length_mm());
+    if ((w - along * cutter.axis).squaredNorm() <= reach * reach) out.places.push_back(item);
+  });
+}
+
+void SweptCutter::keep_facing(const Vec3& normal, Near& near) const {
+  if (!ball_nose_) return;
+  std::erase_if(near.places, [&](std::int32_t item) {
+    return places_[static_cast<std::size_t>(item)].cutter.axis.dot(normal) > flank_cosine;
+  });
+}
+
+bool SweptCutter::may_improve(const Place& place, const Vec3& point_mm, const Vec3& normal, double limit_mm) const {
+  const double half = 0.5 * std::max(0.0, limit_mm);
+  const Vec3 from_tip = point_mm - place.cutter.tip_mm;
+  const Vec3 w = from_tip + half * normal;
+  const double along = w.dot(place.cutter.axis);
+  const double reach = profile_.greatest_radius_mm() + half;
+  if ((w - along * place.cutter.axis).squaredNorm() > reach * reach) return false;
+  // The whole cutter stands above the limit: its lowest point is that in the direction against the normal.
+  const double down = -normal.dot(place.cutter.axis);
+  const Vec2 lowest = profile_.support(down);
+  const double depth = lowest.x() * std::sqrt(std::max(0.0, 1.0 - down * down)) + lowest.y() * down;
+  return -from_tip.dot(normal) - depth <= limit_mm;
+}
+
+std::optional<SweptEntry> SweptCutter::entry(const Vec3& point_mm, const Vec3& normal, double limit_mm,
+                                             const Near& near) const {
+  std::optional<SweptEntry> best;
+  double limit = limit_mm;
+  for (const std::int32_t move : near.moves) {
+    const auto i = static_cast<std::size_t>(move);
+    const std::size_t j = std::min(i + 1, centres_.size() - 1);
+    if (const auto t = capsule_entry_mm(centres_[i], centres_[j], ball_radius_mm_, point_mm, normal, limit)) {
+      best = SweptEntry{*t, static_cast<std::int32_t>(j)};
+      limit = *t;
+    }
+  }
+  entry_of_places(point_mm, normal, limit, near, best);
+  return best;
+}
+
+void SweptCutter::entry_of_places(const Vec3& point_mm, const Vec3& normal, double limit_mm, const Near& near,
+                                  std::optional<SweptEntry>& best) const {
+  struct Low {
+    double height_mm;
+    std::int32_t place;
+  };
+  std::vector<Low> low;
+  double limit = limit_mm;
+  for (const std::int32_t item : near.places) {
+    const Place& place = places_[static_cast<std::size_t>(item)];
+    if (!may_improve(place, point_mm, normal, limit + slack_mm_)) continue;
+    const auto t = line_entry_mm(profile_, place.cutter, point_mm, normal, limit + slack_mm_);
+    if (!t) continue;
+    low.push_back({*t, item});
+    if (*t >= limit) continue;
+    best = SweptEntry{*t, place.pose};
+    limit = *t;
+  }
+  // What lies between places can be lower by the slack: each row of places that came so close is looked into.
+  std::erase_if(low, [&](const Low& l) { return l.height_mm > limit + slack_mm_; });
+  std::sort(low.begin(), low.end(), [](const Low& a, const Low& b) {
+    return a.height_mm != b.height_mm ? a.height_mm < b.height_mm : a.place < b.place;
+  });
+  std::vector<std::int32_t> done;
+  for (const Low& l : low) {
+    const bool beside =
+        std::any_of(done.begin(), done.end(), [&](std::int32_t d) { return std::abs(d - l.place) <= 1; });
+    if (beside) continue;
+    done.push_back(l.place);
+    refine(l.place, l.height_mm, point_mm, normal, best);
+  }
+}
+
+void SweptCutter::refine(std::int32_t place, double height_mm, const Vec3& point_mm, const Vec3& normal,
+                         std::optional<SweptEntry>& best) const {
+  constexpr double golden = 0.6180339887498949;
+  for (const std::int32_t other : {place - 1, place + 1}) {
+    if (other < 0 || other >= static_cast<std::int32_t>(places_.size())) continue;
+    const Place& a = places_[static_cast<std::size_t>(place)];
+    const Place& b = places_[static_cast<std::size_t>(other)];
+    const double none = height_mm + 1.0;
+    const auto height = [&](double share) {
+      return line_entry_mm(profile_, between(a.cutter, b.cutter, share), point_mm, normal, none).value_or(none);
+    };
+    double low = 0.0, high = 1.0, x1 = 1.0 - golden, x2 = golden, f1 = height(x1), f2 = height(x2);
+    for (int i = 0; i < 14; ++i) {
+      if (f1 <= f2) {
+        high = x2;
+        x2 = x1;
+        f2 = f1;
+        x1 = high - golden * (high - low);
+        f1 = height(x1);
+      } else {
+        low = x1;
+        x1 = x2;
+        f1 = f2;
+        x2 = low + golden * (high - low);
+        f2 = height(x2);
+      }
+    }
+    if (const double found = std::min(f1, f2); best && found < best->height_mm)
+      best = SweptEntry{found, std::max(a.pose, b.pose)};
+  }
+}
+
+}  // namespace volute::sim

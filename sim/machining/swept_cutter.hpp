@@ -1,0 +1,73 @@
+// The cutter swept along a run, and how low a line of sight on the surface meets it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/machining/box_tree.hpp"
+#include "sim/machining/cut_surface.hpp"
+#include "sim/machining/cutter_profile.hpp"
+
+namespace volute::sim {
+
+/// Where a line enters the swept cutter.
+struct SweptEntry {
+  double height_mm = 0.0;  ///< along the line's direction; negative: the cutter reaches below the line's start
+  std::int32_t pose = 0;   ///< index of the swept pose at the END of the move that does it
+};
+
+/// A ball's centre runs straight from `from_mm` to `to_mm`: the least height at which the line point + t * direction
+/// enters the capsule that the ball sweeps, when the capsule holds some point with 0 <= t <= limit_mm. Exact.
+std::optional<double> capsule_entry_mm(const Vec3& from_mm, const Vec3& to_mm, double radius_mm, const Vec3& point_mm,
+                                       const Vec3& direction, double limit_mm);
+
+/// Balls are swept exactly, move by move. Everything else (flanks, flat and bull noses) stands at places so close
+/// together that the cusps between them stay below the tolerance, and the lowest entry is then sought between its
+/// neighbours.
+class SweptCutter {
+ public:
+  SweptCutter(const kinematics::Cutter& cutter, const std::vector<SweptPose>& poses, double tolerance_mm);
+
+  /// What could touch the ball (centre, radius); to be used for lines that stay inside it.
+  struct Near {
+    std::vector<std::int32_t> moves, places;
+    void clear() {
+      moves.clear();
+      places.clear();
+    }
+  };
+  void near(const Vec3& centre_mm, double radius_mm, Near& out) const;
+  /// Near things sorted out for lines in the direction `normal`: flanks that such a line can only meet after the ball
+  /// are left out.
+  void keep_facing(const Vec3& normal, Near& near) const;
+
+  /// The lowest entry with height <= limit_mm.
+  [[nodiscard]] std::optional<SweptEntry> entry(const Vec3& point_mm, const Vec3& normal, double limit_mm,
+                                                const Near& near) const;
+
+  [[nodiscard]] std::size_t place_count() const { return places_.size(); }
+
+ private:
+  struct Place {
+    StandingCutter cutter;
+    std::int32_t pose = 0;
+  };
+  void make_places(const std::vector<SweptPose>& poses, double tolerance_mm);
+  void make_trees();
+  void entry_of_places(const Vec3& point_mm, const Vec3& normal, double limit_mm, const Near& near,
+                       std::optional<SweptEntry>& best) const;
+  void refine(std::int32_t place, double height_mm, const Vec3& point_mm, const Vec3& normal,
+              std::optional<SweptEntry>& best) const;
+  [[nodiscard]] bool may_improve(const Place& place, const Vec3& point_mm, const Vec3& normal, double limit_mm) const;
+
+  CutterProfile profile_;
+  bool ball_nose_ = false;
+  double ball_radius_mm_ = 0.0;
+  double slack_mm_ = 0.0;      // how much lower the cutter can stand between two places
+  std::vector<Vec3> centres_;  // of the ball, one a pose
+  std::vector<Place> places_;
+  BoxTree move_tree_, place_tree_;
+};
+
+}  // namespace volute::sim

@@ -1,0 +1,167 @@
+#include "sim/verify.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "geometry/number_text.hpp"
+#include "sim/read_back.hpp"
+#include "sim/run_watch.hpp"
+
+namespace volute::sim {
+namespace {
+
+using geometry::short_text;
+using kinematics::AxisKind;
+
+/// Tells the stages to who listens, and how long each took.
+class Stages {
+ public:
+  Stages(const VerifyRequest& request, VerifyResult& result) : request_(request), result_(result) {}
+  ~Stages() { end(); }
+  void begin(const std::string& stage) {
+    end();
+    stage_ = stage;
+    start_ = Clock::now();
+    tell(0.0);
+  }
+  void tell(double done) const {
+    if (request_.progress) request_.progress(stage_, done);
+  }
+  void end() {
+    if (stage_.empty()) return;
+    tell(1.0);
+    result_.timing_s[stage_] += std::chrono::duration<double>(Clock::now() - start_).count();
+    stage_.clear();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const VerifyRequest& request_;
+  VerifyResult& result_;
+  std::string stage_;
+  Clock::time_point start_;
+};
+
+ProgramReader reader(const VerifyRequest& request) {
+  return {request.text, request.file_name, request.profile.machine, request.profile.control};
+}
+
+Result<void> read_back(const VerifyRequest& request, VerifyResult& result) {
+  if (request.expected_poses.empty()) return {};
+  ProgramReader program = reader(request);
+  const auto commanded = commanded_poses(program, request.profile.machine, request.setup, request.tool.gauge_length_mm);
+  if (!commanded) return tl::unexpected(commanded.error());
+  result.commanded_points = static_cast<std::int64_t>(commanded->size());
+  const auto found = compare_poses(request.expected_poses, *commanded,
+                                   {request.expected_tolerance_mm, request.expected_tolerance_rad});
+  result.findings.insert(result.findings.end(), found.begin(), found.end());
+  return {};
+}
+
+Result<RunReport> run(const VerifyRequest& request, const Stages& stages, RunWatch& watch) {
+  ProgramReader program = reader(request);
+  ControlSetup setup;
+  setup.machine = &request.profile.machine;
+  setup.control = &request.profile.control;
+  setup.setup = request.setup;
+  setup.tool_length_mm = request.tool.gauge_length_mm;
+  return run_program(
+      program, setup, [&](std::span<const AxisSample> samples) { watch.add(samples); },
+      [&](double done) { stages.tell(done); });
+}
+
+CollisionScene scene(const VerifyRequest& request) {
+  CollisionScene out;
+  if (request.surface_P) out.part_P = *request.surface_P;
+  out.obstacles_P = request.obstacles_P;
+  out.obstacle_names = request.obstacle_names;
+  out.tool = request.tool;
+  out.gouge_tolerance_mm = request.cut.gouge_limit_mm;
+  out.clearance_mm = request.clearance_mm;
+  return out;
+}
+
+/// A limit of an axis that the run passed; the control holds them, so any is a fault of the control or of the machine's
+/// data.
+void add_limit_findings(const VerifyRequest& request, VerifyResult& result) {
+  constexpr double rounding = 1e-6;
+  for (std::size_t i = 0; i < kinematics::axis_count; ++i) {
+    const double ratio = result.run.axes[i].limit_ratio_max;
+    if (ratio <= 1.0 + rounding) continue;
+    const std::string letter(1, request.profile.machine.axes[i].letter);
+    result.findings.push_back(
+        {"limit", 0, 0.0, letter, ratio, 1.0,
+         letter + " runs at " + short_text(ratio, 5) + " times a limit of " + request.profile.machine.name});
+  }
+}
+
+void add_travel_findings(const VerifyRequest& request, VerifyResult& result) {
+  for (const AxisLimitEvent& event : result.run.out_of_travel) {
+    const auto& axis = request.profile.machine.axes[static_cast<std::size_t>(event.axis)];
+    const bool rotary = axis.kind == AxisKind::rotary;
+    const double scale = rotary ? geometry::Angle::radians(1.0).degrees() : 1.0;
+    const std::string letter(1, axis.letter);
+    result.findings.push_back({"travel", event.line, event.time_s, letter, event.position * scale, event.limit * scale,
+                               "line " + std::to_string(event.line) + ": " + letter + " = " +
+                                   short_text(event.position * scale, 6) + (rotary ? " deg" : " mm") +
+                                   " is past its end at " + short_text(event.limit * scale, 6) + " of " +
+                                   request.profile.machine.name + "; move the part or the program zero"});
+  }
+}
+
+void gather_findings(const VerifyRequest& request, VerifyResult& result) {
+  const auto take = [&](const std::vector<Finding>& findings) {
+    result.findings.insert(result.findings.end(), findings.begin(), findings.end());
+  };
+  add_limit_findings(request, result);
+  add_travel_findings(request, result);
+  if (result.cut) take(result.cut->findings);
+  if (result.collision) take(result.collision->findings);
+  take(result.loads.findings);
+  sort_by_severity(result.findings);
+}
+
+TraceView trace_view(const VerifyRequest& request, std::vector<AxisSample> samples) {
+  TraceView view;
+  view.poses_P.reserve(samples.size());
+  for (const AxisSample& s : samples) {
+    view.poses_P.push_back(
+        kinematics::tool_pose(request.profile.machine, request.setup, request.tool.gauge_length_mm, s.actual));
+  }
+  view.samples = std::move(samples);
+  return view;
+}
+
+}  // namespace
+
+Result<VerifyResult> verify(const VerifyRequest& request) {
+  VerifyResult result;
+  Stages stages(request, result);
+
+  stages.begin("read back");
+  if (auto read = read_back(request, result); !read) return tl::unexpected(read.error());
+
+  stages.begin("run");
+  RunWatch watch(request.profile.machine, request.setup, request.tool, {});
+  auto report = run(request, stages, watch);
+  if (!report) return tl::unexpected(report.error());
+  result.run = std::move(*report);
+
+  if (request.surface_P) {
+    stages.begin("cut surface");
+    result.cut = measure_cut_surface(*request.surface_P, request.tool.cutter, watch.moves(), request.cut);
+  }
+
+  stages.begin("collisions");
+  result.collision = check_collisions(scene(request), request.profile.machine, request.setup, watch.states(),
+                                      request.collision_step_mm);
+
+  stages.begin("findings");
+  result.loads = watch.loads();
+  result.trace = trace_view(request, watch.trace());
+  gather_findings(request, result);
+  stages.end();
+  return result;
+}
+
+}  // namespace volute::sim

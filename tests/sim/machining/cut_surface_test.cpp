@@ -1,0 +1,173 @@
+#include "sim/machining/cut_surface.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "shapes.hpp"
+
+namespace volute::sim {
+namespace {
+
+using geometry::Vec3;
+using test::ball_at;
+
+double exact_scallop(double radius, double interval) {
+  return radius - std::sqrt(radius * radius - 0.25 * interval * interval);
+}
+
+TEST(CutSurface, ScallopOnAPlaneIsTheExactCircles) {
+  const auto surface = test::plane(10.0, 3);
+  for (const double interval : {0.3, 0.87, 1.5}) {
+    for (const double tilt : {0.0, 0.3}) {
+      const auto poses = test::passes_on_plane(10.0, interval, 1.0, Vec3(std::sin(tilt), 0, std::cos(tilt)));
+      const auto report = measure_cut_surface(surface, test::ball(1.0), poses, {.uncut_limit_mm = 0.5});
+      EXPECT_NEAR(report.scallop_max_mm, exact_scallop(1.0, interval), 1e-3 * exact_scallop(1.0, interval))
+          << interval << " " << tilt;
+      EXPECT_NEAR(report.gouge_max_mm, 0.0, 1e-9);
+      EXPECT_EQ(report.uncut_area_mm2, 0.0);
+      EXPECT_NEAR(report.area_mm2, 100.0, 1e-9);
+      EXPECT_TRUE(report.findings.empty());
+    }
+  }
+}
+
+TEST(CutSurface, MeanDeviationOnAPlaneIsTheMeanUnderTheArc) {
+  const double interval = 0.8;
+  const auto report = measure_cut_surface(test::plane(8.0, 2), test::ball(1.0),
+                                          test::passes_on_plane(8.0, interval, 1.0, Vec3::UnitZ()),
+                                          {.sample_spacing_mm = 0.03, .uncut_limit_mm = 0.5});
+  const double half = interval / 2;  // integral of 1 - sqrt(1 - x^2)
+  const double mean = 1.0 - (0.5 * (half * std::sqrt(1 - half * half) + std::asin(half))) / half;
+  EXPECT_NEAR(report.deviation_mean_mm, mean, 2e-3 * mean);
+}
+
+TEST(CutSurface, UncutStripHasItsArea) {
+  auto poses = test::passes_on_plane(20.0, 0.5, 2.0, Vec3::UnitZ());
+  // Leave out the passes over x in (8, 12): what stays higher than 0.1 mm runs between two arcs.
+  std::erase_if(poses, [](const SweptPose& p) { return p.pose.tip_P_mm.x() > 8.01 && p.pose.tip_P_mm.x() < 11.99; });
+  const auto report = measure_cut_surface(test::plane(20.0, 4), test::ball(2.0), poses,
+                                          {.uncut_limit_mm = 0.1, .search_height_mm = 5.0});
+  const double reach = std::sqrt(4.0 - 1.9 * 1.9);
+  EXPECT_TRUE(report.uncut);
+  EXPECT_NEAR(report.uncut_area_mm2, 20.0 * (4.0 - 2.0 * reach), 0.5);
+  ASSERT_EQ(report.findings.size(), 1u);
+  EXPECT_EQ(report.findings[0].kind, "uncut");
+  EXPECT_NEAR(report.scallop_max_mm, 2.0, 0.01);  // two balls that touch between their centres: one radius
+}
+
+TEST(CutSurface, NoPosesLeaveEverythingUncut) {
+  const auto report = measure_cut_surface(test::plane(5.0), test::ball(1.0), {}, {});
+  EXPECT_TRUE(report.uncut);
+  EXPECT_NEAR(report.uncut_area_mm2, 25.0, 1e-9);
+  EXPECT_TRUE(std::isnan(report.vertex_deviation_mm.at(0)));
+}
+
+TEST(CutSurface, APlantedGougeOfFiveMicrometresIsFoundAndNoneWithoutIt) {
+  const double radius = 3.0, side = 5.0;
+  const auto surface = test::plane(side, 2);
+  const int count = test::cases(200);
+  std::mt19937_64 random(31);
+  for (int i = 0; i < count; ++i) {
+    const double tilt = std::uniform_real_distribution<>(0.0, 0.7)(random);
+    auto poses = test::passes_on_plane(side, 1.0, radius, Vec3(std::sin(tilt), 0, std::cos(tilt)));
+    const CutSurfaceOptions options{.uncut_limit_mm = 0.2, .gouge_limit_mm = 0.0045};
+    const auto clean = measure_cut_surface(surface, test::ball(radius), poses, options);
+    EXPECT_TRUE(clean.findings.empty()) << "seed 31, case " << i;
+    const Vec3 spot(std::uniform_real_distribution<>(0.0, side)(random),
+                    std::uniform_real_distribution<>(0.0, side)(random), radius - 0.005);
+    poses.push_back(ball_at(spot + Vec3(0, 0, 9), poses[0].pose.axis_P, radius, 777));
+    poses.push_back(ball_at(spot, poses[0].pose.axis_P, radius, 777));
+    const auto report = measure_cut_surface(surface, test::ball(radius), poses, options);
+    ASSERT_EQ(report.findings.size(), 1u) << "seed 31, case " << i;
+    EXPECT_EQ(report.findings[0].kind, "gouge");
+    EXPECT_EQ(report.findings[0].line, 777);
+    EXPECT_NEAR(report.gouge_max_mm, 0.005, 1e-5);
+  }
+}
+
+TEST(CutSurface, DoesNotDependOnTheNumberOfThreads) {
+  const auto surface = test::sheet(
+      12, 12, [](double u, double v) { return Vec3(12 * u, 12 * v, 0.3 * std::sin(9 * u) * std::cos(7 * v)); });
+  const auto poses = test::passes_on_plane(12.0, 0.7, 1.5, Vec3::UnitZ());
+  const auto many = measure_cut_surface(surface, test::ball(1.5), poses, {});
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const auto single = measure_cut_surface(surface, test::ball(1.5), poses, {});
+  EXPECT_EQ(many.scallop_max_mm, single.scallop_max_mm);
+  EXPECT_EQ(many.gouge_max_mm, single.gouge_max_mm);
+  EXPECT_EQ(many.uncut_area_mm2, single.uncut_area_mm2);
+  EXPECT_EQ(many.histogram, single.histogram);
+  ASSERT_EQ(many.findings.size(), single.findings.size());
+  for (std::size_t i = 0; i < many.findings.size(); ++i) EXPECT_EQ(many.findings[i].text, single.findings[i].text);
+}
+
+TEST(CutSurface, SurfaceMovedWithItsPosesHasTheSameDeviations) {
+  const auto surface = test::sheet(6, 6, [](double u, double v) { return Vec3(6 * u, 6 * v, 0.2 * std::sin(5 * u)); });
+  const auto poses = test::passes_on_plane(6.0, 0.6, 1.0, Vec3(0.2, 0.1, 1.0).normalized());
+  const auto here = measure_cut_surface(surface, test::ball(1.0), poses, {});
+  const geometry::Transform move =
+      Eigen::Translation3d(30, -20, 10) * Eigen::AngleAxisd(1.1, Vec3(1, 2, 3).normalized());
+  auto moved_surface = surface;
+  for (auto& v : moved_surface.vertices_mm) v = move * v;
+  auto moved_poses = poses;
+  for (auto& p : moved_poses) {
+    p.pose.tip_P_mm = move * p.pose.tip_P_mm;
+    p.pose.axis_P = move.linear() * p.pose.axis_P;
+  }
+  const auto there = measure_cut_surface(moved_surface, test::ball(1.0), moved_poses, {});
+  EXPECT_NEAR(here.scallop_max_mm, there.scallop_max_mm, 1e-6);
+  EXPECT_NEAR(here.gouge_max_mm, there.gouge_max_mm, 1e-6);
+  EXPECT_NEAR(here.uncut_area_mm2, there.uncut_area_mm2, 1e-3);
+  for (std::size_t i = 0; i < here.vertex_deviation_mm.size(); ++i) {
+    if (std::isnan(here.vertex_deviation_mm[i])) continue;
+    EXPECT_NEAR(here.vertex_deviation_mm[i], there.vertex_deviation_mm[i], 1e-9);
+  }
+}
+
+/// A step: top z = 0 for x < 0, wall x = 0 down to z = -10. The tool cuts the wall with its flank and may not be blamed
+/// for the top.
+TEST(CutSurface, ACutterBesideAConvexEdgeIsNoGouge) {
+  geometry::TriangleMesh step;
+  step.vertices_mm = {{-5, 0, 0}, {0, 0, 0}, {0, 10, 0}, {-5, 10, 0}, {0, 0, -10}, {0, 10, -10}};
+  step.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}};
+  std::vector<SweptPose> poses;
+  for (double x = -6.0; x <= 0.01; x += 0.3) {
+    poses.push_back({{Vec3(x, -3, 0), Vec3::UnitZ()}, 1, 0, false});
+    poses.push_back({{Vec3(x, 13, 0), Vec3::UnitZ()}, 1, 0, false});
+    poses.push_back({{Vec3(x, 13, 30), Vec3::UnitZ()}, 1, 0, true});
+    poses.push_back({{Vec3(x, -3, 30), Vec3::UnitZ()}, 1, 0, true});
+  }
+  poses.push_back({{Vec3(2, -3, 30), Vec3::UnitZ()}, 2, 0, true});
+  poses.push_back({{Vec3(2, -3, -14), Vec3::UnitZ()}, 2, 0, true});
+  poses.push_back({{Vec3(2, 13, -14), Vec3::UnitZ()}, 3, 0, false});
+  const auto report =
+      measure_cut_surface(step, test::ball(2.0), poses, {.uncut_limit_mm = 0.05, .gouge_limit_mm = 0.002});
+  EXPECT_TRUE(report.findings.empty()) << report.findings.at(0).text;
+  EXPECT_LT(report.gouge_max_mm, 1e-6);
+  EXPECT_LT(report.scallop_max_mm, 0.02);
+}
+
+TEST(CutSurface, FlatEndAcrossAPlaneLeavesNothingAndTiltedLeavesTheWedge) {
+  // Tilted by `tilt` across the feed, the disc's rim is an ellipse in the section: scallop between passes.
+  const double radius = 4.0, tilt = 0.1, interval = 3.0;
+  const Vec3 axis(0, -std::sin(tilt), std::cos(tilt));  // lead along the feed y
+  std::vector<SweptPose> poses;
+  std::int64_t line = 1;
+  for (double x = -6.0; x <= 18.0; x += interval) {
+    for (const double y : {-8.0, 20.0}) {
+      const Vec3 lowest(x, y, 0.0);  // rim point
+      const Vec3 to_centre(0, -std::cos(tilt), -std::sin(tilt));
+      poses.push_back({{lowest - radius * to_centre, axis}, line++, 0, false});
+    }
+    poses.push_back({{Vec3(x, 20, 40), axis}, line++, 0, true});
+    poses.push_back({{Vec3(x, -20, 40), axis}, line++, 0, true});
+  }
+  const auto report = measure_cut_surface(test::plane(6.0, 2), test::flat(radius), poses,
+                                          {.sample_spacing_mm = 0.2, .uncut_limit_mm = 0.3});
+  // Swept along y, the rim's projection is an ellipse of half axes radius and radius * sin(tilt).
+  const double expected = radius * std::sin(tilt) * (1.0 - std::sqrt(1.0 - std::pow(interval / 2 / radius, 2)));
+  EXPECT_NEAR(report.scallop_max_mm, expected, 0.01 * expected);
+  EXPECT_LT(report.gouge_max_mm, 1e-6);
+}
+
+}  // namespace
+}  // namespace volute::sim
