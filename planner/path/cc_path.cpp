@@ -4,6 +4,7 @@
 
 #include "geometry/mesh_measure.hpp"
 #include "geometry/number_text.hpp"
+#include "planner/path/baselines.hpp"
 #include "planner/path/even_spiral.hpp"
 #include "planner/path/finish_path.hpp"
 #include "planner/path/guided_path.hpp"
@@ -30,6 +31,10 @@ Result<void> check_options(const kinematics::Cutter& cutter, const PathOptions& 
   if (options.from_turn && options.to_turn && *options.from_turn >= *options.to_turn)
     return bad_input("path-turns", "path.from_turn = " + text(*options.from_turn) +
                                        " is not below path.to_turn = " + text(*options.to_turn));
+  const bool guided = options.strategy == Strategy::spiral || options.strategy == Strategy::contour_parallel;
+  if (!guided && (options.from_turn || options.to_turn))
+    return bad_input("path-turns",
+                     "path.from_turn and path.to_turn work with the strategies spiral and contour-parallel only");
   return {};
 }
 
@@ -101,10 +106,14 @@ Result<CcPathResult> plan_by_strategy(const geometry::TriangleMesh& surface, con
       return plan_guided_path(surface, cutter, options, orientation);
     case Strategy::contour_parallel:
       return plan_guided_path(surface, cutter, options, orientation);
-    default:
-      break;
+    case Strategy::projected_spiral:
+      return plan_projected_spiral(surface, cutter, options, orientation);
+    case Strategy::contour_offset:
+      return plan_contour_offset(surface, cutter, options, orientation);
+    case Strategy::iso_planar:
+      return plan_iso_planar(surface, cutter, options, orientation);
   }
-  return bad_input("path-strategy", "path.strategy: this build knows spiral and contour-parallel only");
+  return bad_input("path-strategy", "path.strategy: no such strategy");
 }
 
 }  // namespace

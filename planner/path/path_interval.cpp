@@ -40,8 +40,10 @@ IntervalField::IntervalField(const TriangleMesh& mesh, const IntervalRule& rule)
   double area = 0.0, too_tight = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const double triangle_mm2 = geometry::triangle_area_mm2(mesh, static_cast<Index>(t));
-    const double least = geometry::principal_curvature(tensor_[t], normals[t]).least_per_mm;
+    const geometry::PrincipalCurvature principal = geometry::principal_curvature(tensor_[t], normals[t]);
+    const double least = principal.least_per_mm;
     widest_mm_.push_back(rule_.interval_mm(least));
+    narrowest_mm_.push_back(rule_.interval_mm(principal.greatest_per_mm));
     lower_bound_mm_ += triangle_mm2 / widest_mm_.back();
     area += triangle_mm2;
     if (1.0 + least * rule_.radius_mm <= 0.0) too_tight += triangle_mm2;

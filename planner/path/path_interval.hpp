@@ -45,6 +45,10 @@ class IntervalField {
   [[nodiscard]] double widest_interval_mm(Index triangle) const {
     return widest_mm_[static_cast<std::size_t>(triangle)];
   }
+  /// In the least favourable direction.
+  [[nodiscard]] double narrowest_interval_mm(Index triangle) const {
+    return narrowest_mm_[static_cast<std::size_t>(triangle)];
+  }
   /// The sum of area over widest interval: no path that keeps the scallop is shorter (up to the ends).
   [[nodiscard]] double lower_bound_mm() const { return lower_bound_mm_; }
   /// Share of the area whose hollow is tighter than the cutter.
@@ -53,7 +57,7 @@ class IntervalField {
  private:
   IntervalRule rule_;
   std::vector<Mat3> tensor_;
-  std::vector<double> widest_mm_;
+  std::vector<double> widest_mm_, narrowest_mm_;
   double lower_bound_mm_ = 0.0, too_tight_share_ = 0.0;
 };
 
