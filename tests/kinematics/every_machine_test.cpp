@@ -16,11 +16,13 @@ constexpr double tool_length_mm = 137.5;
 class EveryMachine : public ::testing::TestWithParam<std::string> {
  protected:
   EveryMachine() : machine(testing::machine_named(GetParam())) {
-    setup.part_in_machine = Eigen::Translation3d(12.5, -31.0, 40.25) * Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized());
+    setup.part_in_machine =
+        Eigen::Translation3d(12.5, -31.0, 40.25) * Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized());
   }
 
   [[nodiscard]] Vec3 pole_M() const {
-    const bool third_first = std::find(machine.chain.begin(), machine.chain.end(), 3) < std::find(machine.chain.begin(), machine.chain.end(), 4);
+    const bool third_first = std::find(machine.chain.begin(), machine.chain.end(), 3) <
+                             std::find(machine.chain.begin(), machine.chain.end(), 4);
     return machine.axes[third_first ? 3 : 4].direction_M;
   }
 
@@ -74,7 +76,8 @@ TEST_P(EveryMachine, TheFreeAxisTurnsFreelyAtThePole) {
   if (solutions.empty()) GTEST_SKIP() << "the tool of " << machine.name << " never stands along the first rotary axis";
   ASSERT_EQ(solutions.size(), 1u);
   EXPECT_TRUE(solutions[0].at_pole);
-  const bool third_first = std::find(machine.chain.begin(), machine.chain.end(), 3) < std::find(machine.chain.begin(), machine.chain.end(), 4);
+  const bool third_first = std::find(machine.chain.begin(), machine.chain.end(), 3) <
+                           std::find(machine.chain.begin(), machine.chain.end(), 4);
   EXPECT_EQ(third_first ? solutions[0].first_rad : solutions[0].second_rad, 0.0);
   for (const double turn : {0.0, 1.3, -2.9}) {
     AxisVector q = AxisVector::Zero();
@@ -89,9 +92,12 @@ TEST_P(EveryMachine, InverseOfForwardHoldsTheStartingPositions) {
   for (int k = 0; k < cases(5000); ++k) {
     const AxisVector q = random.positions(machine);
     double nearest = 1e9;
-    for (const AxisVector& found : solve(machine, setup, tool_length_mm, tool_pose(machine, setup, tool_length_mm, q))) {
-      const double first = std::remainder(found[3] - q[3], 2.0 * std::numbers::pi), second = std::remainder(found[4] - q[4], 2.0 * std::numbers::pi);
-      nearest = std::min(nearest, (found.head<3>() - q.head<3>()).norm() + 100.0 * (std::abs(first) + std::abs(second)));
+    for (const AxisVector& found :
+         solve(machine, setup, tool_length_mm, tool_pose(machine, setup, tool_length_mm, q))) {
+      const double first = std::remainder(found[3] - q[3], 2.0 * std::numbers::pi),
+                   second = std::remainder(found[4] - q[4], 2.0 * std::numbers::pi);
+      nearest =
+          std::min(nearest, (found.head<3>() - q.head<3>()).norm() + 100.0 * (std::abs(first) + std::abs(second)));
     }
     // Touching directions are ill-conditioned: an error of 1e-16 in the pose is one of 1e-8 in the angle.
     EXPECT_LT(nearest, 1e-4) << "seed " << testing::seed << " case " << k << " q " << q.transpose();
@@ -106,11 +112,13 @@ TEST_P(EveryMachine, JacobianIsTheDerivativeOfForward) {
     const Jacobian columns = jacobian(machine, tool_length_mm, q);
     for (int i = 0; i < axis_count; ++i) {
       const AxisVector change = step * AxisVector::Unit(i);
-      const Transform less = forward(machine, tool_length_mm, q - change), more = forward(machine, tool_length_mm, q + change);
+      const Transform less = forward(machine, tool_length_mm, q - change),
+                      more = forward(machine, tool_length_mm, q + change);
       const Vec3 tip = (more.translation() - less.translation()) / (2.0 * step);
       const Eigen::AngleAxisd turn(more.linear() * less.linear().transpose());
       EXPECT_LT((columns.col(i).head<3>() - tip).norm(), 1e-4) << machine.axes[static_cast<std::size_t>(i)].letter;
-      EXPECT_LT((columns.col(i).tail<3>() - turn.angle() / (2.0 * step) * turn.axis()).norm(), 1e-6) << machine.axes[static_cast<std::size_t>(i)].letter;
+      EXPECT_LT((columns.col(i).tail<3>() - turn.angle() / (2.0 * step) * turn.axis()).norm(), 1e-6)
+          << machine.axes[static_cast<std::size_t>(i)].letter;
     }
   }
 }
@@ -125,20 +133,25 @@ TEST_P(EveryMachine, ProgramZeroPutsTheTipOnThePartOrigin) {
 TEST_P(EveryMachine, PositiveLinearAxesMoveTheToolInThePositiveDirection) {
   // ISO 841: the direction is that of the tool relative to the workpiece, whichever of them moves.
   for (int i = 0; i < 3; ++i) {
-    const Vec3 moved = forward(machine, tool_length_mm, AxisVector::Unit(i)).translation() - forward(machine, tool_length_mm, AxisVector::Zero()).translation();
+    const Vec3 moved = forward(machine, tool_length_mm, AxisVector::Unit(i)).translation() -
+                       forward(machine, tool_length_mm, AxisVector::Zero()).translation();
     EXPECT_LT((moved - Vec3::Unit(i)).norm(), 1e-12) << machine.axes[static_cast<std::size_t>(i)].letter;
   }
 }
 
 TEST_P(EveryMachine, LinksKeepTheirPlaceToEachOther) {
-  // The link that carries the spindle moves with the tool, the table with the workpiece (frame M), the base with neither.
+  // The link that carries the spindle moves with the tool, the table with the workpiece (frame M), the base with
+  // neither.
   Random random(4);
   const AxisVector q = random.positions(machine);
   const int last = machine.chain.back();
   AxisVector stand = AxisVector::Zero();
   for (int i = 0; i < axis_count; ++i) stand[i] = machine.axes[static_cast<std::size_t>(i)].zero;
   if (machine.table_axes < axis_count) {
-    EXPECT_LT((link_motion(machine, last, q).matrix() * forward(machine, tool_length_mm, stand).matrix() - forward(machine, tool_length_mm, q).matrix()).norm(), 1e-9);
+    EXPECT_LT((link_motion(machine, last, q).matrix() * forward(machine, tool_length_mm, stand).matrix() -
+               forward(machine, tool_length_mm, q).matrix())
+                  .norm(),
+              1e-9);
   }
   if (machine.table_axes > 0) {
     EXPECT_LT((link_motion(machine, machine.chain.front(), q).matrix() - Eigen::Matrix4d::Identity()).norm(), 1e-12);
@@ -148,11 +161,12 @@ TEST_P(EveryMachine, LinksKeepTheirPlaceToEachOther) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Machines, EveryMachine, ::testing::ValuesIn(testing::machine_names()), [](const auto& instance) {
-  std::string name = instance.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Machines, EveryMachine, ::testing::ValuesIn(testing::machine_names()),
+                         [](const auto& instance) {
+                           std::string name = instance.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace volute::kinematics

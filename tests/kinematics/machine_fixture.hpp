@@ -42,13 +42,18 @@ constexpr unsigned seed = 20161;
 class Random {
  public:
   explicit Random(unsigned offset = 0) : engine_(seed + offset) {}
-  double uniform(double least, double greatest) { return std::uniform_real_distribution<double>(least, greatest)(engine_); }
+  double uniform(double least, double greatest) {
+    return std::uniform_real_distribution<double>(least, greatest)(engine_);
+  }
   /// Uniform on the sphere (Archimedes: z is uniform).
   Vec3 direction() {
-    const double z = uniform(-1.0, 1.0), azimuth = uniform(-std::numbers::pi, std::numbers::pi), across = std::sqrt(1.0 - z * z);
+    const double z = uniform(-1.0, 1.0), azimuth = uniform(-std::numbers::pi, std::numbers::pi),
+                 across = std::sqrt(1.0 - z * z);
     return Vec3(across * std::cos(azimuth), across * std::sin(azimuth), z).normalized();
   }
-  Vec3 point(double size_mm) { return {uniform(-size_mm, size_mm), uniform(-size_mm, size_mm), uniform(-size_mm, size_mm)}; }
+  Vec3 point(double size_mm) {
+    return {uniform(-size_mm, size_mm), uniform(-size_mm, size_mm), uniform(-size_mm, size_mm)};
+  }
   AxisVector positions(const Machine& machine) {
     AxisVector q;
     for (int i = 0; i < axis_count; ++i) {
