@@ -1,0 +1,91 @@
+// Drive loads against another program: the recursive Newton-Euler solver of Orocos KDL.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <kdl/chain.hpp>
+#include <kdl/chainidsolver_recursive_newton_euler.hpp>
+#include <random>
+
+#include "sim/loads.hpp"
+
+namespace volute::sim {
+namespace {
+
+using geometry::Vec3;
+using kinematics::AxisKind;
+using kinematics::Machine;
+
+KDL::Vector metres(const Vec3& mm) { return {mm.x() / 1000, mm.y() / 1000, mm.z() / 1000}; }
+
+/// One side of the machine, from the base outwards; a table axis moves its body against the tool's motion.
+KDL::Chain side(const Machine& m, const std::vector<int>& axes, double sign) {
+  KDL::Chain chain;
+  for (const int i : axes) {
+    const auto& axis = m.axes[static_cast<std::size_t>(i)];
+    const Vec3 d = sign * axis.direction_M;
+    const KDL::Joint joint(std::string(1, axis.letter), metres(axis.point_M_mm), KDL::Vector(d.x(), d.y(), d.z()),
+                           axis.kind == AxisKind::linear ? KDL::Joint::TransAxis : KDL::Joint::RotAxis);
+    const auto& I = axis.inertia_kg_m2;
+    const KDL::RotationalInertia inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
+    chain.addSegment(
+        KDL::Segment(std::string(1, axis.letter), joint, KDL::Frame::Identity(),
+                     KDL::RigidBodyInertia(axis.moved_mass_kg, metres(axis.centre_of_mass_M_mm), inertia)));
+  }
+  return chain;
+}
+
+void compare(const Machine& m, const std::vector<int>& axes, double sign, const AxisVector& q, const AxisVector& v,
+             const AxisVector& a, const AxisVector& load) {
+  if (axes.empty()) return;
+  const KDL::Chain chain = side(m, axes, sign);
+  KDL::ChainIdSolver_RNE solver(chain, KDL::Vector(0, 0, -9.80665));
+  const auto n = static_cast<unsigned>(axes.size());
+  KDL::JntArray jq(n), jv(n), ja(n), torque(n);
+  for (unsigned k = 0; k < n; ++k) {
+    const auto& axis = m.axes[static_cast<std::size_t>(axes[k])];
+    const double unit = axis.kind == AxisKind::linear ? 1e-3 : 1.0;
+    jq(k) = unit * (q[axes[k]] - axis.zero);
+    jv(k) = unit * v[axes[k]];
+    ja(k) = unit * a[axes[k]];
+  }
+  ASSERT_EQ(solver.CartToJnt(jq, jv, ja, KDL::Wrenches(n), torque), 0);
+  for (unsigned k = 0; k < n; ++k) {
+    const auto& axis = m.axes[static_cast<std::size_t>(axes[k])];
+    const double speed = v[axes[k]];
+    const double lost = axis.viscous_friction * speed + (speed > 0 ? 1 : -1) * axis.coulomb_friction;
+    EXPECT_NEAR(load[axes[k]] - lost, torque(k), 1e-9 * (1.0 + std::abs(torque(k)))) << m.name << " " << axis.letter;
+  }
+}
+
+TEST(DriveForces, EqualsKdlOnEveryMachine) {
+  const char* text = std::getenv("VOLUTE_CASES");
+  const int count = text != nullptr ? std::atoi(text) : 200;
+  std::mt19937_64 random(51);
+  std::uniform_real_distribution<> uniform(-1.0, 1.0);
+  int machines = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(VOLUTE_SOURCE_DIR) / "machines")) {
+    if (entry.path().extension() != ".toml") continue;
+    const auto m = kinematics::load_machine(entry.path());
+    ASSERT_TRUE(m) << m.error().message;
+    ++machines;
+    std::vector<int> head(m->chain.begin() + m->table_axes, m->chain.end()),
+        table(m->chain.begin(), m->chain.begin() + m->table_axes);
+    std::reverse(table.begin(), table.end());
+    for (int i = 0; i < count; ++i) {
+      AxisVector q, v, a;
+      for (int k = 0; k < 5; ++k) {
+        const double size = k < 3 ? 200.0 : 2.0;
+        q[k] = size * uniform(random);
+        v[k] = size * uniform(random);
+        a[k] = 5 * size * uniform(random);
+      }
+      const AxisVector load = drive_forces(*m, q, v, a);
+      compare(*m, head, 1.0, q, v, a, load);
+      compare(*m, table, -1.0, q, v, a, load);
+    }
+  }
+  EXPECT_GT(machines, 0);
+}
+
+}  // namespace
+}  // namespace volute::sim
