@@ -6,8 +6,21 @@
 
 namespace volute::planner {
 
-/// `options.centre_loop` where the user names one; else a slit in the deepest part of the surface.
-/// Errors (bad_input): path-centre-loop (no such loop), surface-too-coarse.
-Result<Centre> choose_centre(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options);
+struct CentreSearchOptions {
+  int triangles = 1500;       ///< of the coarse mesh that candidates are tried on
+  int deep_points = 8;        ///< ends of the first slits tried: every pair of them
+  int starts = 2;             ///< of the best slits, whose ends are then moved
+  int moves_max = 30;         ///< tried for each
+  int outer = 3, inner = 15;  ///< of each trial field
+};
+
+/// `options.centre_loop` where the user names one. Else the best of: each hole as the centre, and slits between deep
+/// points, the ends of the best moved until no move shortens the path. Each candidate is tried with the whole field
+/// optimisation on a coarse mesh; its score is the path length that the field promises (the integral of |grad W|,
+/// coarea), with a surcharge where the field falls short of the allowed interval or into pieces. Candidates run in
+/// parallel; the choice does not depend on threads. Errors (bad_input): path-centre-loop (no such loop),
+/// surface-too-coarse (no inner vertex to lay a slit through).
+Result<Centre> choose_centre(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options,
+                             const CentreSearchOptions& search = {});
 
 }  // namespace volute::planner

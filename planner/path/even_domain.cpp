@@ -4,6 +4,7 @@
 
 #include "geometry/check.hpp"
 #include "geometry/mesh_measure.hpp"
+#include "planner/path/even_resample.hpp"
 #include "planner/surface/cut.hpp"
 #include "planner/surface/slice_path.hpp"
 
@@ -25,6 +26,11 @@ struct Opened {
 Result<Opened> open_along(const EvenSurface& surface, const Slit& slit) {
   const auto path = bridge_path(surface.mesh, surface.topology, surface.vertex_normals, slit.from, slit.to);
   if (!path) return tl::unexpected(path.error());
+  if (path->path.size() < 3) {
+    return geometry::bad_input("surface-slit-short",
+                               "vertices " + std::to_string(slit.from) + " and " + std::to_string(slit.to) +
+                                   " are neighbours: a slit needs two edges to open; refine the mesh there");
+  }
   MeshWithPath laid = insert_path(surface.mesh, path->path);
   const auto topology = MeshTopology::build(laid.mesh);
   if (!topology) return tl::unexpected(topology.error());
@@ -71,7 +77,8 @@ void assign_loops(const EvenSurface& surface, const Centre& centre, const std::v
 
 }  // namespace
 
-Result<EvenSurface> EvenSurface::build(TriangleMesh mesh) {
+Result<EvenSurface> EvenSurface::build(const TriangleMesh& given) {
+  TriangleMesh mesh = in_memory_order(given);
   auto topology = MeshTopology::build(mesh);
   if (!topology) return tl::unexpected(topology.error());
   auto normals = geometry::vertex_normals(mesh);

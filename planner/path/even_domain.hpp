@@ -20,8 +20,8 @@ struct EvenSurface {
   std::vector<Vec3> vertex_normals;
   std::vector<Mat3> curvature;  ///< per triangle, averaged tensor
 
-  /// Errors: those of MeshTopology::build.
-  static Result<EvenSurface> build(TriangleMesh mesh);
+  /// Puts the mesh into memory order first. Errors: those of MeshTopology::build.
+  static Result<EvenSurface> build(const TriangleMesh& mesh);
 };
 
 /// A slit between two inner vertices.
@@ -48,9 +48,9 @@ struct EvenDomain {
   }
 };
 
-/// Errors (bad_input): surface-no-path where a slit or seam cannot be laid, those of MeshTopology::build, and
-/// matrix-not-positive-definite where a mesh is too thin for theta. Requires: a boundary; slit vertices inside and
-/// distinct.
+/// Errors (bad_input): surface-slit-short (its ends are neighbours), surface-no-path where a slit or seam cannot be
+/// laid, those of MeshTopology::build, and matrix-not-positive-definite where a mesh is too thin for theta. Requires: a
+/// boundary; slit vertices inside and distinct.
 Result<EvenDomain> even_domain(const EvenSurface& surface, const Centre& centre);
 
 }  // namespace volute::planner

@@ -54,7 +54,9 @@ class EvenFieldSolver {
   Result<void> solve_harmonic();
   Result<void> assemble();
   [[nodiscard]] std::vector<double> values(const Eigen::VectorXd& unknowns) const;
-  [[nodiscard]] Eigen::VectorXd load(std::span<const Vec2> flux) const;
+  [[nodiscard]] Eigen::VectorXd load(std::span<const double> corner_load) const;
+  [[nodiscard]] Eigen::VectorXd step(EvenField& field, std::span<const double> needed,
+                                     std::vector<double>& corner_load) const;
   void turn_directions(EvenField& field, std::span<const Vec2> gradient) const;
   void smooth_directions(std::vector<Vec2>& direction) const;
   [[nodiscard]] std::vector<double> needed_gradient(std::span<const Vec2> direction,
@@ -67,10 +69,11 @@ class EvenFieldSolver {
   std::vector<int> unknown_;  ///< per vertex, -1: held
   std::vector<double> held_;  ///< per vertex: added to the unknown (theta on floating holes)
   int unknown_count_ = 0, centre_unknown_ = 0;
-  std::vector<double> usual_per_mm_;  ///< per triangle: 1 / L at the mean curvature
-  std::vector<double> harmonic_;      ///< 0 outside, 1 at the centre
-  std::vector<Vec2> harmonic_direction_, held_gradient_;
-  Eigen::VectorXd bend_load_;
+  std::vector<std::array<Vec2, 3>> hat_per_mm_;  ///< as in the domain's operators, packed
+  std::vector<double> weight_;                   ///< per triangle: rho times the interval at the mean curvature
+  std::vector<double> harmonic_;                 ///< 0 outside, 1 at the centre
+  std::vector<Vec2> harmonic_direction_;
+  Eigen::VectorXd constant_load_;
   std::optional<SparseSolver> solver_;
 };
 

@@ -50,7 +50,7 @@ Result<CcPathResult> plan_even_spiral(const geometry::TriangleMesh& surface, con
                                       const PathOptions& options, const OrientationOptions& orientation) {
   auto conditioned = condition(surface);
   if (!conditioned) return tl::unexpected(conditioned.error());
-  const auto prepared = EvenSurface::build(std::move(conditioned->mesh));
+  const auto prepared = EvenSurface::build(conditioned->mesh);
   if (!prepared) return tl::unexpected(prepared.error());
   const IntervalField interval(prepared->mesh, interval_rule(cutter, options.scallop_mm, orientation));
   const auto centre = choose_centre(*prepared, interval.rule(), options);

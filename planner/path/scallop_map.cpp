@@ -93,35 +93,39 @@ ScallopMap measure_scallop(const TriangleMesh& mesh, std::span<const Vec3> verte
   VOLUTE_CHECK(vertex_normals.size() == mesh.vertices_mm.size() && !mesh.triangles.empty(), vertex_normals.size());
   const double interval_mm = path_interval_mm(radius_mm, scallop_mm, 0.0);
   const std::vector<Vec3> centres = ball_centres(path, radius_mm, interval_mm / 20.0);
-  const PointGrid grid(centres, 0.5 * interval_mm);
+  const PointGrid grid(centres, 0.3 * interval_mm);
   const std::vector<Vec3> places = sample_places(per_edge);
   std::vector<double> ratio(mesh.triangles.size() * places.size());
   std::vector<double> area(mesh.triangles.size());
   ScallopMap map;
   map.worst_ratio.resize(mesh.triangles.size());
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, area.size(), 256), [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t t = range.begin(); t < range.end(); ++t) {
-          const auto& c = mesh.triangles[t];
-          area[t] = geometry::triangle_area_mm2(mesh, static_cast<Index>(t));
-          double worst = -radius_mm;
-          for (std::size_t s = 0; s < places.size(); ++s) {
-            const Vec3& w = places[s];
-            const auto mix = [&](std::span<const Vec3> v) {
-              return Vec3(w[0] * v[at(c[0])] + w[1] * v[at(c[1])] + w[2] * v[at(c[2])]);
-            };
-            const Vec3 point = mix(mesh.vertices_mm), normal = mix(vertex_normals).normalized();
-            double height = radius_mm;
-            // Where the surface is sharply convex the balls' centres stand farther apart than the passes.
-            for (double reach = interval_mm; height >= radius_mm && reach < 5.0 * interval_mm; reach *= 2.0) {
-              height = entry_mm(grid, centres, point, normal, radius_mm, reach);
-            }
-            ratio[t * places.size() + s] = height / scallop_mm;
-            worst = std::max(worst, height / scallop_mm);
-          }
-          map.worst_ratio[t] = worst;
-        }
-      });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, area.size(), 256),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t t = range.begin(); t < range.end(); ++t) {
+                        const auto& c = mesh.triangles[t];
+                        area[t] = geometry::triangle_area_mm2(mesh, static_cast<Index>(t));
+                        double worst = -radius_mm;
+                        for (std::size_t s = 0; s < places.size(); ++s) {
+                          const Vec3& w = places[s];
+                          const auto mix = [&](std::span<const Vec3> v) {
+                            return Vec3(w[0] * v[at(c[0])] + w[1] * v[at(c[1])] + w[2] * v[at(c[2])]);
+                          };
+                          const Vec3 point = mix(mesh.vertices_mm), normal = mix(vertex_normals).normalized();
+                          // What is seen within a short reach is never too low; only heights that matter are worth a
+                          // longer one. Where the
+                          // surface is sharply convex the balls' centres stand farther apart than the passes.
+                          double height = entry_mm(grid, centres, point, normal, radius_mm, 0.6 * interval_mm);
+                          for (double reach = 1.2; height > 0.8 * scallop_mm && reach < 5.0; reach *= 2.0) {
+                            const double wider = entry_mm(grid, centres, point, normal, radius_mm, reach * interval_mm);
+                            if (wider == height && height < radius_mm) break;
+                            height = wider;
+                          }
+                          ratio[t * places.size() + s] = height / scallop_mm;
+                          worst = std::max(worst, height / scallop_mm);
+                        }
+                        map.worst_ratio[t] = worst;
+                      }
+                    });
   map.statistics = statistics_of(ratio, area);
   return map;
 }
