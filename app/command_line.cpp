@@ -30,11 +30,9 @@ struct Places {
   PostArguments post;
   SimulateArguments simulate;
   CompareArguments compare;
-  FieldArguments field;
   InspectArguments inspect;
   MachinesArguments machines;
   RenderArguments render;
-  ReproduceArguments reproduce;
 };
 
 CLI::App* add_command(CLI::App& app, CommonArguments& common, const char* name, const char* text) {
@@ -65,8 +63,6 @@ void add_job_commands(CLI::App& app, Places& places) {
   compare->add_option("--strategies", places.compare.strategies,
                       "Comma separated: spiral,contour-parallel,projected-spiral,contour-offset,iso-planar")
       ->delimiter(',');
-  CLI::App* field = add_command(app, places.common, "field", "Orientation field from key axes ([Huang2016])");
-  add_job_command(field, places.field.job, places.field.out, out_text);
 }
 
 void add_program_commands(CLI::App& app, Places& places) {
@@ -102,9 +98,6 @@ void add_other_commands(CLI::App& app, Places& places) {
   machines->add_option("NAME", places.machines.name, "Profile name or path");
   CLI::App* render = add_command(app, places.common, "render", "The pictures of a run again, from its files");
   render->add_option("DIR", places.render.folder, "Folder that `volute run` or `volute simulate` wrote")->required();
-  CLI::App* reproduce = add_command(app, places.common, "reproduce", "The tables and figures of the two papers, beside ours");
-  reproduce->add_option("ITEM", places.reproduce.item, "table-1, table-2, figure-20, ...; all when absent");
-  reproduce->add_option("--out", places.reproduce.out, "Folder for the pictures (default: reproduction)");
 }
 
 CommandArguments chosen(const CLI::App& app, const Places& places) {
@@ -114,11 +107,9 @@ CommandArguments chosen(const CLI::App& app, const Places& places) {
   if (name == "post") return places.post;
   if (name == "simulate") return places.simulate;
   if (name == "compare") return places.compare;
-  if (name == "field") return places.field;
   if (name == "inspect") return places.inspect;
   if (name == "machines") return places.machines;
-  if (name == "render") return places.render;
-  return places.reproduce;
+  return places.render;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "app/context.hpp"
 
 #include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "app/exit_status.hpp"
@@ -10,6 +11,7 @@ namespace volute::app {
 namespace {
 
 std::filesystem::path find_machines_folder() {
+  if (const char* named = std::getenv("VOLUTE_MACHINES"); named != nullptr && *named != '\0') return named;
   std::error_code ignored;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
   const std::filesystem::path here = program.parent_path();

@@ -111,13 +111,16 @@ geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const pl
   request.surface_P = inputs.surface;
   request.obstacles_P = inputs.obstacles;
   request.obstacle_names = inputs.obstacle_names;
-  request.cut.uncut_limit_mm = inputs.job.path.scallop_mm + inputs.job.path.allowance_mm;
+  // A scallop is measured against the mesh, from which both path and mesh may stand off by the tolerance.
+  request.cut.uncut_limit_mm = inputs.job.path.scallop_mm + inputs.job.path.allowance_mm + inputs.job.path.tolerance_mm;
   request.cut.gouge_limit_mm = inputs.job.gouge_tolerance_mm;
   request.expected_poses = cutting_poses(posted.axis_path);
   const double rotary_step_rad = geometry::Angle::degrees(decimal_step(control.rotary_decimals)).radians();
   const double arm_mm = control.tcp ? 0.0 : inputs.job.tool.gauge_length_mm + 1000.0;
   request.expected_tolerance_mm = rounding_slack * (decimal_step(control.linear_decimals) + rotary_step_rad * arm_mm);
-  request.expected_tolerance_rad = rounding_slack * (rotary_step_rad + decimal_step(control.vector_decimals));
+  // Next to the pole the axis may lean by the linearization's own tolerance.
+  request.expected_tolerance_rad = rounding_slack * (rotary_step_rad + decimal_step(control.vector_decimals)) +
+                                   kinematics::AxisPathOptions().rotary_tolerance_rad;
   request.progress = progress.callback();
   return sim::verify(request);
 }
