@@ -13,11 +13,13 @@ namespace {
 
 using geometry::short_text;
 
-/// The rule of LinuxCNC's manual for the radii at start and end: they may differ by 0.005 mm, or by more, up to 0.5 mm,
-/// when that is less than a thousandth of the radius.
-constexpr double radius_difference_mm = 0.005;
-constexpr double radius_difference_most_mm = 0.5;
+/// The radii at start and end may differ by what rounding of the end point to 0.01 mm (0.001 inch) makes of them, or by
+/// more when that is less than a thousandth of the radius: measured on LinuxCNC 2.9's interpreter.
+constexpr double radius_difference_mm = 0.02 * std::numbers::sqrt2;
+constexpr double radius_difference_inch_mm = 0.002 * 25.4 * std::numbers::sqrt2;
 constexpr double radius_difference_share = 0.001;
+/// A radius may be this much too short for its chord: rounding of end points to 0.001 mm or 0.0001 inch.
+constexpr double chord_excess_mm = 0.0025;
 /// An end point this close to the start means a full circle.
 constexpr double same_point_mm = 1e-9;
 
@@ -55,8 +57,7 @@ struct FlatArc {
 std::optional<Eigen::Vector2d> centre_from_radius(const FlatArc& flat, double radius_mm, bool clockwise) {
   const Eigen::Vector2d half = 0.5 * (flat.end - flat.start);
   double rest_sq = radius_mm * radius_mm - half.squaredNorm();
-  const double slack = std::abs(radius_mm) * radius_difference_share;
-  if (rest_sq < 0.0 && half.norm() - std::abs(radius_mm) <= std::min(slack, radius_difference_most_mm)) rest_sq = 0.0;
+  if (rest_sq < 0.0 && half.norm() - std::abs(radius_mm) <= chord_excess_mm) rest_sq = 0.0;
   if (rest_sq < 0.0) return std::nullopt;
   const Eigen::Vector2d left(-half.y(), half.x());
   const bool centre_left = (radius_mm > 0.0) != clockwise;
@@ -100,8 +101,8 @@ bool MotionState::arc_geometry(const ArcWords& arc, const Vec3& start, MotionBlo
   const Eigen::Vector2d from = flat.start - flat.centre, to = flat.end - flat.centre;
   const double radius_start = from.norm(), radius_end = to.norm(), difference = std::abs(radius_start - radius_end);
   if (radius_start <= same_point_mm || radius_end <= same_point_mm) return fault("an arc of radius 0");
-  if (difference > radius_difference_most_mm ||
-      (difference > radius_difference_mm && difference > radius_difference_share * radius_start))
+  if (difference > (inches ? radius_difference_inch_mm : radius_difference_mm) &&
+      difference > radius_difference_share * std::max(radius_start, radius_end))
     return fault("the arc's radius is " + short_text(radius_start) + " mm at its start and " + short_text(radius_end) +
                  " mm at its end; correct the centre or the end point");
   double sweep = closed ? 2.0 * std::numbers::pi : counter_clockwise(from, to);

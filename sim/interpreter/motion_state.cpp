@@ -67,10 +67,6 @@ std::optional<double> MotionState::rotary_rad(int axis) const {
 }
 
 std::optional<double> MotionState::program_linear_mm(int axis) const {
-  if (tilt) {
-    if (!known_[0] || !known_[1] || !known_[2]) return std::nullopt;
-    return (tilt->inverse() * position_mm_)[axis];
-  }
   const auto setup = linear_mm(axis);
   return setup ? std::optional<double>(*setup - shift.linear_mm[axis]) : std::nullopt;
 }
@@ -124,26 +120,6 @@ bool MotionState::place_linear(const MoveWords& words, MotionBlock& out) {
     out.xyz_known[i] = known_[i];
   }
   return moves;
-}
-
-bool MotionState::place_tilted(const MoveWords& words, std::size_t column, MotionBlock& out) {
-  Vec3 target = Vec3::Zero();
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    const bool absolute = has(words.linear, i) && !has(words.linear_incremental, i);
-    const auto now = program_linear_mm(axis);
-    if (!absolute && !now)
-      return diagnosis_.fault(column, "program-position-unknown",
-                              "in a tilted plane the position before this block must be known; name X, Y and Z in its "
-                              "first motion");
-    target[axis] = absolute ? words.linear_mm[i] : *now + (has(words.linear, i) ? words.linear_mm[i] : 0.0);
-    out.xyz_programmed[i] = true;
-    out.xyz_known[i] = true;
-  }
-  position_mm_ = *tilt * target;
-  known_ = {true, true, true};
-  out.xyz_mm = position_mm_;
-  return true;
 }
 
 void MotionState::place_rotary(const MoveWords& words, MotionBlock& out) {
@@ -205,8 +181,6 @@ bool MotionState::line(MotionKind kind, const MoveWords& words, std::size_t colu
     out.machine_coordinates = true;
     out.tcp = false;
     place_machine(words, out);
-  } else if (tilt && words.linear != 0) {
-    if (!place_tilted(words, column, out)) return false;
   } else {
     moves_linear = place_linear(words, out);
   }
@@ -217,9 +191,6 @@ bool MotionState::line(MotionKind kind, const MoveWords& words, std::size_t colu
 
 bool MotionState::arc(const MoveWords& words, const ArcWords& arc, MotionBlock& out) {
   out = begin(MotionKind::arc);
-  if (tilt)
-    return diagnosis_.fault(arc.column, "program-arc-tilted",
-                            "arcs in a tilted plane are not read; post lines instead");
   const Vec3 start = position_mm_;
   const int normal = plane == Plane::xy ? 2 : plane == Plane::zx ? 1 : 0;
   for (int axis = 0; axis < 3; ++axis) {

@@ -60,8 +60,6 @@ class MotionState {
   /// Spindle, tool, path mode, TCP, feed mode: what every motion carries along.
   MotionBlock standing;
   Shift shift;
-  /// A tilted working plane: program coordinates turned and moved into the setup's. Empty: none.
-  std::optional<geometry::Transform> tilt;
   std::optional<Vec3> work_zero_machine_mm;  ///< as in ReaderOptions
 
   [[nodiscard]] double unit_mm() const { return inches ? 25.4 : 1.0; }
@@ -94,7 +92,6 @@ class MotionState {
   [[nodiscard]] MotionBlock begin(MotionKind kind) const;
   /// True when the words move a linear axis, or may.
   bool place_linear(const MoveWords& words, MotionBlock& out);
-  bool place_tilted(const MoveWords& words, std::size_t column, MotionBlock& out);
   void place_machine(const MoveWords& words, MotionBlock& out);
   void place_rotary(const MoveWords& words, MotionBlock& out);
   bool place_feed(std::size_t column, MotionBlock& out);

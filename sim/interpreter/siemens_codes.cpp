@@ -77,7 +77,7 @@ bool SiemensProgram::mode_code(int number, std::size_t column) {
   if (number == 71 || number == 710) return inch(false, false);
   if (number == 60) return standing.path_mode = PathMode::exact_stop, true;
   if (number == 64 || (number >= 641 && number <= 645)) return standing.path_mode = PathMode::continuous, true;
-  if (in(number, {40, 97, 450, 451, 601, 602, 603, 290})) return true;
+  if (in(number, {40, 62, 97, 450, 451, 601, 602, 603, 290})) return true;
   if ((number >= 54 && number <= 57) || number == 500 || (number >= 505 && number <= 599)) {
     if (number != 54)
       reading_.diagnosis.warn_once(

@@ -64,6 +64,17 @@ bool WordProgram::apply_g(Code code) {
       return move(MotionMode::counter_clockwise);
     case 800:
       return move(MotionMode::none);
+    case 730:
+    case 810:
+    case 820:
+    case 830:
+    case 850:
+    case 860:
+    case 890:
+      return begin_cycle(code) && move(MotionMode::cycle);
+    case 921:
+    case 922:
+      return linuxcnc_ ? one_shot(code, OneShot::clear_shift) : refuse_g(code);
     case 40:
       return one_shot(code, OneShot::dwell);
     case 100:
@@ -99,6 +110,8 @@ bool WordProgram::apply_mode(Code code) {
     return set_group(code, group_plane);
   };
   const auto feed = [&](FeedMode mode) {
+    // LinuxCNC forgets F at G94 and G95 even when nothing changes.
+    if (linuxcnc_) state_.feed_number = 0.0;
     state_.set_feed_mode(mode);
     return set_group(code, group_feed);
   };
@@ -135,6 +148,7 @@ bool WordProgram::apply_mode(Code code) {
       return set_group(code, group_spindle);
     case 980:
     case 990:
+      return_to_r_ = code.tenths == 990;
       return set_group(code, group_return);
     case 901:
     case 911:
@@ -260,22 +274,37 @@ bool WordProgram::refuse_g(Code code) {
     int tenths;
     const char* text;
   };
-  static constexpr std::array<Reason, 14> reasons{{
-      {410, "cutter radius compensation is not read: let the CAM system compensate"},
-      {420, "cutter radius compensation is not read: let the CAM system compensate"},
-      {411, "cutter radius compensation is not read: let the CAM system compensate"},
-      {421, "cutter radius compensation is not read: let the CAM system compensate"},
-      {330, "spindle-synchronized motion is not read"},
-      {331, "rigid tapping is not read"},
-      {382, "probing is not read: its path depends on what the probe meets"},
-      {650, "macro calls are not read: post the motions themselves"},
-      {660, "macro calls are not read: post the motions themselves"},
-      {680, "rotated coordinates are not read"},
-      {510, "scaling and mirroring are not read"},
-      {160, "polar coordinates are not read"},
-      {960, "constant surface speed belongs to turning and is not read"},
-      {2540, "dynamic work offsets (G254) depend on the machine's rotary zero table; post with TCP (G234)"},
-  }};
+  static constexpr std::array reasons{
+      Reason{410, "cutter radius compensation is not read: let the CAM system compensate"},
+      Reason{420, "cutter radius compensation is not read: let the CAM system compensate"},
+      Reason{411, "cutter radius compensation is not read: let the CAM system compensate"},
+      Reason{421, "cutter radius compensation is not read: let the CAM system compensate"},
+      Reason{330, "spindle-synchronized motion is not read"},
+      Reason{331, "rigid tapping is not read"},
+      Reason{382, "probing is not read: its path depends on what the probe meets"},
+      Reason{650, "macro calls are not read: post the motions themselves"},
+      Reason{660, "macro calls are not read: post the motions themselves"},
+      Reason{680, "rotated coordinates are not read"},
+      Reason{510, "scaling and mirroring are not read"},
+      Reason{160, "polar coordinates are not read"},
+      Reason{960, "constant surface speed belongs to turning and is not read"},
+      Reason{2540, "dynamic work offsets (G254) depend on the machine's rotary zero table; post with TCP (G234)"},
+      Reason{682, "tilted working planes are not read: post with TCP"},
+      Reason{683, "tilted working planes are not read: post with TCP"},
+      Reason{684, "tilted working planes are not read: post with TCP"},
+      Reason{690, "tilted working planes are not read: post with TCP"},
+      Reason{531, "tilted working planes are not read: post with TCP"},
+      Reason{533, "tilted working planes are not read: post with TCP"},
+      Reason{536, "tilted working planes are not read: post with TCP"},
+      Reason{431, "a tool length in the program contradicts the tool of the job; use G43"},
+      Reason{740, "tapping is not read"},
+      Reason{840, "tapping is not read"},
+      Reason{760, "fine boring and threading cycles are not read"},
+      Reason{870, "back boring is not read"},
+      Reason{880, "manual boring is not read"},
+      Reason{1410, "this control's dialect has no G141"},
+  };
+  ;
   const auto* found =
       std::find_if(reasons.begin(), reasons.end(), [&](const Reason& r) { return r.tenths == code.tenths; });
   return fault(code.column, "program-unknown-code",

@@ -80,6 +80,9 @@ bool WordProgram::motion() {
     case MotionMode::counter_clockwise:
       if (machine) return fault(plan_.column, "program-syntax", "G53 needs G0 or G1");
       return arc(mode_ == MotionMode::clockwise);
+    case MotionMode::cycle:
+      if (machine) return fault(plan_.column, "program-syntax", "G53 needs G0 or G1");
+      return drill();
     default:
       break;
   }
@@ -154,6 +157,10 @@ bool WordProgram::run_one_shot() {
       return reference(false);
     case OneShot::second_reference:
       return reference(true);
+    case OneShot::clear_shift:
+      position_shift_ = {};
+      update_shift();
+      return true;
     case OneShot::set_data:
       return set_data();
     case OneShot::shift_position:

@@ -31,6 +31,8 @@ WordProgram::WordProgram(Reading& reading)
           reading.diagnosis),
       owords_(reading.source, lexer_, reading.diagnosis),
       subprograms_(reading.source, reading.diagnosis, reading.source.text()) {
+  // Measured on LinuxCNC's interpreter; Fanuc and its relatives start with G98.
+  return_to_r_ = linuxcnc_;
   if (!linuxcnc_) return;
   read_tcp_switches(reading.control.tcp_on, true);
   read_tcp_switches(reading.control.tcp_off, false);
@@ -64,6 +66,8 @@ bool WordProgram::end_of_text() {
 bool WordProgram::percent(std::string_view line, std::size_t at) {
   if (line.find_first_not_of(" \t", at + 1) != std::string_view::npos)
     return fault(at, "program-syntax", "\"%\" stands alone on its line");
+  if (linuxcnc_ && any_block_ && !percent_open_)
+    return fault(at, "program-syntax", "\"%\" ends only a program that begins with one");
   // The first one opens the program, the next one ends it.
   if (percent_open_ || any_block_) reading_.finished = true;
   percent_open_ = true;

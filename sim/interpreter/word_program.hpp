@@ -32,10 +32,7 @@ class WordProgram final : public Dialect {
     machine_coordinates,
     shift_position,
     clear_shift,
-    local_shift,
-    dynamic_length,
-    tilt_on,
-    tilt_align
+    local_shift
   };
   /// What one block asks for.
   struct Plan {
@@ -86,6 +83,19 @@ class WordProgram final : public Dialect {
   bool set_data();
   bool tool_axis(MoveWords& out);
   void update_shift();
+
+  // word_cycles.cpp: drilling
+  struct Cycle {
+    int code = 0;
+    std::optional<double> r_mm, z_mm, q_mm;  ///< they hold from block to block
+    double dwell_s = 0.0;
+    std::optional<double> initial_z_mm;  ///< where Z stood before the first hole
+  };
+  bool begin_cycle(Code code);
+  bool cycle_words(std::int64_t& repeats);
+  bool drill();
+  bool drill_hole();
+  bool go_z(MotionKind kind, double z_mm);
   bool decimal_point(char letter);
   bool emit(bool ok, MotionBlock& block);
 
@@ -103,6 +113,8 @@ class WordProgram final : public Dialect {
   bool arc_centre_absolute_ = false;
   bool vector_words_ = false;  ///< I J K are the tool axis (G43.5)
   bool percent_open_ = false, any_block_ = false, program_number_seen_ = false;
+  Cycle cycle_;
+  bool return_to_r_ = false;  ///< G99: between holes Z returns to R, not to where it stood before
   int tool_prepared_ = 0;
   int work_system_ = 1;
   std::array<Shift, 10> work_;  ///< 1 .. 9: G54 .. G59.3

@@ -1,0 +1,406 @@
+// Random programs read by LinuxCNC's own interpreter (rs274, Debian package linuxcnc-uspace) and by ours: the same
+// motions to its 4 decimals.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "geometry/number_text.hpp"
+#include "tests/sim/interpreter/reading.hpp"
+
+namespace volute::sim::test {
+namespace {
+
+using geometry::fixed_text;
+
+/// One canonical motion in mm and degrees, in the coordinates of the setup.
+struct Canon {
+  MotionKind kind = MotionKind::line;
+  std::array<double, 5> end{};     // X Y Z A C
+  std::array<double, 2> centre{};  // in the plane
+  int turns = 0;                   // signed, of an arc
+  double feed = 0.0;               // as set last, mm/min; of a dwell: seconds
+  double rotary_feed = 0.0;        // as set last, deg/min
+  double tolerance = 0.0;          // half of the last digit printed, of the word and of its shift, in mm
+};
+
+std::vector<double> numbers_of(const std::string& call) {
+  std::vector<double> out;
+  std::string list = call.substr(call.find('(') + 1);
+  for (char& c : list)
+    if (c == ',' || c == ')') c = ' ';
+  std::istringstream in(list);
+  std::string item;
+  while (in >> item)
+    if (const auto value = geometry::parse_number(item)) out.push_back(*value);
+  return out;
+}
+
+class CanonReader {
+ public:
+  std::vector<Canon> read(std::istream& in) {
+    std::string line;
+    while (std::getline(in, line)) {
+      const auto dots = line.find("N..... ");
+      if (dots != std::string::npos) call(line.substr(dots + 7));
+    }
+    return out_;
+  }
+
+ private:
+  void call(const std::string& text) {
+    const auto v = numbers_of(text);
+    if (text.starts_with("USE_LENGTH_UNITS")) unit_ = text.find("INCHES") != std::string::npos ? 25.4 : 1.0;
+    if (text.starts_with("SET_FEED_RATE")) feed_ = {v[0] * unit_, v[0]};
+    if (text.starts_with("SET_G92_OFFSET"))
+      shift_ = {v[0] * unit_, v[1] * unit_, v[2] * unit_, v[3], v[5]}, shift_unit_ = unit_;
+    if (text.starts_with("SELECT_PLANE"))
+      plane_ = text.find("XZ") != std::string::npos ? 1 : text.find("YZ") != std::string::npos ? 2 : 0;
+    if (text.starts_with("STRAIGHT_TRAVERSE") || text.starts_with("STRAIGHT_FEED"))
+      straight(text.starts_with("STRAIGHT_FEED") ? MotionKind::line : MotionKind::rapid, v);
+    if (text.starts_with("ARC_FEED")) arc(v);
+    if (text.starts_with("DWELL")) out_.push_back({MotionKind::dwell, {}, {}, 0, v[0], 0.0, 0.0});
+  }
+  void straight(MotionKind kind, const std::vector<double>& v) {
+    Canon c{kind,
+            {v[0] * unit_, v[1] * unit_, v[2] * unit_, v[3], v[5]},
+            {},
+            0,
+            feed_[0],
+            feed_[1],
+            0.6e-4 * (unit_ + shift_unit_)};
+    add(c);
+  }
+  void arc(const std::vector<double>& v) {
+    const std::array<std::array<std::size_t, 3>, 3> axes{{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
+    const auto& in = axes[static_cast<std::size_t>(plane_)];
+    Canon c{MotionKind::arc,
+            {},
+            {v[2] * unit_ + shift_[in[0]], v[3] * unit_ + shift_[in[1]]},
+            static_cast<int>(v[4]),
+            feed_[0],
+            feed_[1],
+            0.6e-4 * (unit_ + shift_unit_)};
+    c.end[in[0]] = v[0] * unit_;
+    c.end[in[1]] = v[1] * unit_;
+    c.end[in[2]] = v[5] * unit_;
+    c.end[3] = v[6];
+    c.end[4] = v[8];
+    add(c);
+  }
+  void add(Canon c) {
+    for (std::size_t i = 0; i < 5; ++i) c.end[i] += shift_[i];
+    out_.push_back(c);
+  }
+
+  std::vector<Canon> out_;
+  double unit_ = 1.0;
+  std::array<double, 2> feed_{};  // in mm/min, and as printed
+  std::array<double, 5> shift_{};
+  double shift_unit_ = 1.0;
+  int plane_ = 0;
+};
+
+bool rs274_installed() { return std::system("command -v rs274 >/dev/null 2>&1") == 0; }
+
+/// Status 0 and the canonical motions; nothing: rs274 refused the program.
+std::optional<std::vector<Canon>> run_rs274(const std::string& text, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "p.ngc") << text;
+  std::ofstream(folder / "tool.tbl") << "T1 P1 Z0 D10\n";
+  std::ofstream(folder / "params.var");
+  const std::string command =
+      "cd '" + folder.string() + "' && HOME=. rs274 -g -n 2 -t tool.tbl -v params.var p.ngc >canon.txt 2>err.txt";
+  const bool accepted = std::system(command.c_str()) == 0;
+  std::ifstream in(folder / "canon.txt");
+  auto out = CanonReader().read(in);
+  std::filesystem::remove_all(folder);
+  if (!accepted) return std::nullopt;
+  return out;
+}
+
+/// Writes programs at random: every modal group that finishing programs use, arcs, parameters, loops, drilling.
+class ProgramWriter {
+ public:
+  explicit ProgramWriter(unsigned seed) : random_(seed) {}
+
+  std::string write() {
+    out_ = "G21 G90 G94 G17 G40 G49 G80\nG0 X0 Y0 Z10 A0 C0\nG1 F100 X1\n";
+    for (int i = 0; i < 60; ++i) line();
+    return out_ + "M2\n";
+  }
+
+ private:
+  int pick(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
+  double number(double most) { return std::uniform_real_distribution<double>(-most, most)(random_); }
+  std::string text(double most) {
+    const double value = number(most);
+    switch (pick(6)) {
+      case 0:
+        return "[" + fixed_text(value, 2) + "+" + fixed_text(number(5.0), 2) + "*2]";
+      case 1:
+        return "#7";
+      case 2:
+        return "[sin[" + fixed_text(value, 1) + "]*" + fixed_text(most, 1) + "]";
+      default:
+        return fixed_text(value, 3);
+    }
+  }
+  void feed() {
+    if (inverse_) out_ += " F" + fixed_text(std::abs(number(30.0)) + 1.0, 2);
+    if (!inverse_ && pick(4) == 0) out_ += " F" + fixed_text(std::abs(number(900.0)) + 1.0, 1);
+  }
+  void straight() {
+    const bool cuts = pick(2) == 0;
+    out_ += cuts ? "G1" : "G0";
+    if (cuts) feed();
+    bool any = false;
+    for (const char letter : std::string("XYZAC"))
+      if (pick(5) < 2) out_ += ' ' + std::string(1, letter) + text(letter < 'X' ? 90.0 : 40.0), any = true;
+    if (!any) out_ += " X" + text(40.0);
+  }
+  void arc() {
+    const int plane = pick(3);
+    out_ += plane == 0 ? "G17 " : plane == 1 ? "G18 " : "G19 ";
+    out_ += pick(2) == 0 ? "G2" : "G3";
+    feed();
+    const std::array<const char*, 3> axes{"XYZ", "ZXY", "YZX"};
+    const std::array<const char*, 3> offsets{"IJ", "KI", "JK"};
+    const auto in = static_cast<std::size_t>(plane);
+    const double radius = std::abs(number(9.0)) + 0.5;
+    if (pick(3) == 0) {  // a full circle, or several
+      out_ += std::string(" ") + offsets[in][0] + fixed_text(radius, 3);
+      if (pick(2) == 0) out_ += " P" + std::to_string(1 + pick(3));
+      return;
+    }
+    const double angle = number(3.0);
+    const double first = radius * (1.0 - std::cos(angle)), second = -radius * std::sin(angle);
+    const auto end = [&](char letter, double distance) {
+      const std::string value = fixed_text(distance, 5);
+      return std::string(" ") + letter +
+             (incremental_ ? value : "[#" + std::to_string(5420 + letter - 'X') + "+" + value + "]");
+    };
+    out_ += end(axes[in][0], first) + end(axes[in][1], second) + " " + offsets[in][0] + fixed_text(radius, 5);
+    if (pick(3) == 0) out_ += std::string(" ") + axes[in][2] + (incremental_ ? "1.5" : fixed_text(number(9.0), 3));
+    if (pick(4) == 0) out_ += " C" + fixed_text(number(90.0), 3);
+  }
+  void modes() {
+    switch (pick(9)) {
+      case 0:
+        out_ += pick(2) == 0 ? "G20" : "G21";
+        break;
+      case 1:
+        incremental_ = pick(2) == 0;
+        out_ += incremental_ ? "G91" : "G90";
+        break;
+      case 2:
+        inverse_ = pick(2) == 0;
+        out_ += inverse_ ? "G93" : "G94 F" + fixed_text(std::abs(number(500.0)) + 1.0, 1);
+        break;
+      case 3:
+        out_ += "G92 X" + text(20.0) + " C" + text(90.0);
+        break;
+      case 4:
+        out_ += "G4 P" + fixed_text(std::abs(number(2.0)), 2);
+        break;
+      case 5:
+        out_ += "#7=" + text(20.0);
+        break;
+      case 6:
+        out_ += "G92.1";
+        break;
+      case 7:
+        out_ += pick(2) == 0 ? "G61" : "G64 P0.01";
+        break;
+      default:
+        out_ += "(a remark) T1 S500 M3 M8";
+        break;
+    }
+  }
+  void loop() {
+    const std::string label = "o" + std::to_string(100 + labels_++) + " ";
+    out_ += label + "repeat [" + std::to_string(pick(4)) + "]\n";
+    straight();
+    out_ += "\n" + label + "endrepeat";
+  }
+  void branch() {
+    const std::string label = "o" + std::to_string(100 + labels_++) + " ";
+    out_ += label + "if [#7 gt " + fixed_text(number(9.0), 1) + "]\n";
+    straight();
+    out_ += "\n" + label + "else\n";
+    straight();
+    out_ += "\n" + label + "endif";
+  }
+  void drill() {
+    if (incremental_ || inverse_) return;
+    const std::array<const char*, 5> cycles{"G81", "G82 P0.5", "G83 Q1.7", "G73 Q1.7", "G85"};
+    out_ += std::string("G17 ") + (pick(2) == 0 ? "G98 " : "G99 ") + cycles[static_cast<std::size_t>(pick(5))] + " X" +
+            text(30.0) + " Z" + fixed_text(-3.0 - pick(4), 2) + " R" + fixed_text(1.0 + pick(3), 2) + "\nX" +
+            text(30.0) + " Y" + text(30.0) + "\nG80";
+  }
+  void line() {
+    const int kind = pick(12);
+    if (kind < 5)
+      straight();
+    else if (kind < 7)
+      arc();
+    else if (kind < 9)
+      modes();
+    else if (kind == 9)
+      loop();
+    else if (kind == 10)
+      branch();
+    else
+      drill();
+    out_ += '\n';
+  }
+
+  std::mt19937 random_;
+  std::string out_;
+  bool incremental_ = false, inverse_ = false;
+  int labels_ = 0;
+};
+
+/// Motions without length, which the two write differently around drilling, are left out.
+std::vector<Canon> without_still(const std::vector<Canon>& in) {
+  std::vector<Canon> out;
+  std::array<double, 5> at{};
+  for (const Canon& c : in) {
+    double way = 0.0;
+    for (std::size_t i = 0; i < 5; ++i) way = std::max(way, std::abs(c.end[i] - at[i]));
+    const bool still = (c.kind == MotionKind::line || c.kind == MotionKind::rapid) && way < 2e-3;
+    if (!still) out.push_back(c);
+    if (c.kind != MotionKind::dwell) at = c.end;
+  }
+  return out;
+}
+
+std::vector<Canon> ours(const Reading& program) {
+  std::vector<Canon> out;
+  for (const MotionBlock& block : program.blocks) {
+    Canon c{block.kind, {}, {}, 0, block.dwell_s, 0.0, 0.0};
+    if (block.kind == MotionKind::dwell) {
+      out.push_back(c);
+      continue;
+    }
+    for (std::size_t i = 0; i < 3; ++i) c.end[i] = block.xyz_mm[static_cast<Eigen::Index>(i)];
+    c.end[3] = block.rotary_rad[0] / rad_per_deg;
+    c.end[4] = block.rotary_rad[1] / rad_per_deg;
+    // Under inverse time rs274 prints a speed of its own; the text's F is compared by the other tests.
+    if (block.feed_mode == FeedMode::per_minute)
+      (block.rotary_only ? c.rotary_feed : c.feed) = block.feed * 60.0 / (block.rotary_only ? rad_per_deg : 1.0);
+    if (block.kind == MotionKind::arc) {
+      const int normal = block.plane_normal.z() != 0.0 ? 2 : block.plane_normal.y() != 0.0 ? 1 : 0;
+      c.centre = {block.centre_mm[(normal + 1) % 3], block.centre_mm[(normal + 2) % 3]};
+      const double turns = std::abs(block.sweep_rad) / (2.0 * std::numbers::pi);
+      c.turns = static_cast<int>(std::ceil(turns - 1e-9)) * (block.sweep_rad > 0.0 ? 1 : -1);
+    }
+    out.push_back(c);
+  }
+  return out;
+}
+
+void expect_same(const std::vector<Canon>& theirs, const std::vector<Canon>& mine) {
+  ASSERT_EQ(theirs.size(), mine.size());
+  for (std::size_t k = 0; k < mine.size(); ++k) {
+    ASSERT_EQ(theirs[k].kind, mine[k].kind) << "motion " << k;
+    if (mine[k].kind == MotionKind::dwell) {
+      ASSERT_NEAR(theirs[k].feed, mine[k].feed, 1e-4) << "motion " << k;
+      continue;
+    }
+    for (std::size_t i = 0; i < 5; ++i)
+      ASSERT_NEAR(theirs[k].end[i], mine[k].end[i], theirs[k].tolerance) << "motion " << k << " axis " << i;
+    if (mine[k].kind == MotionKind::arc) {
+      ASSERT_EQ(theirs[k].turns, mine[k].turns) << "motion " << k;
+      for (std::size_t i = 0; i < 2; ++i)
+        ASSERT_NEAR(theirs[k].centre[i], mine[k].centre[i], theirs[k].tolerance) << "motion " << k;
+    }
+    if (mine[k].kind == MotionKind::rapid) continue;
+    if (mine[k].feed > 0.0) {
+      ASSERT_NEAR(theirs[k].feed, mine[k].feed, 0.002 + 1e-6 * mine[k].feed) << "motion " << k;
+    }
+    if (mine[k].rotary_feed > 0.0) {
+      ASSERT_NEAR(theirs[k].rotary_feed, mine[k].rotary_feed, 1e-4) << "motion " << k;
+    }
+  }
+}
+
+int cases() {
+  const char* set = std::getenv("VOLUTE_CASES");
+  const auto value = set != nullptr ? geometry::parse_integer(set) : std::nullopt;
+  return static_cast<int>(value.value_or(25));
+}
+
+TEST(Rs274, RandomProgramsGiveTheSameMotions) {
+  if (!rs274_installed())
+    GTEST_SKIP() << "rs274 (Debian package linuxcnc-uspace) is not installed: nothing was compared";
+  const auto folder = std::filesystem::temp_directory_path() / ("volute-rs274-" + std::to_string(getpid()));
+  int compared = 0;
+  std::size_t motions = 0;
+  for (int i = 0; i < cases(); ++i) {
+    const auto seed = static_cast<unsigned>(1000 + i);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const std::string text = ProgramWriter(seed).write();
+    const auto theirs = run_rs274(text, folder);
+    const auto mine = read(text, kinematics::DialectFamily::linuxcnc);
+    ASSERT_EQ(!theirs, mine.error.has_value()) << mine.message() << "\n" << text;
+    if (!theirs) continue;
+    expect_same(without_still(*theirs), without_still(ours(mine)));
+    if (HasFatalFailure()) FAIL() << text;
+    ++compared;
+    motions += mine.blocks.size();
+  }
+  std::printf("%d programs with %zu motions compared\n", compared, motions);
+  EXPECT_GT(compared, cases() / 2);
+}
+
+TEST(Rs274, RefusesTheSamePrograms) {
+  if (!rs274_installed())
+    GTEST_SKIP() << "rs274 (Debian package linuxcnc-uspace) is not installed: nothing was compared";
+  const auto folder = std::filesystem::temp_directory_path() / ("volute-rs274-bad-" + std::to_string(getpid()));
+  const std::string start = "G21 G90\nG0 X0 Y0 Z0 A0 C0\n";
+  for (const char* text : {"g1 x1\nm2\n",
+                           "f100\ng94\ng1 x1\nm2\n",
+                           "g93 g1 x1\nm2\n",
+                           "g0 g1 x1\nm2\n",
+                           "g0 x1 x2\nm2\n",
+                           "g0 x\nm2\n",
+                           "f9 g2 x10 y0 i5.016\nm2\n",
+                           "f9 g2 x10 y0 i5.01\nm2\n",
+                           "f9 g2 x10 y0 r4.99\nm2\n",
+                           "f9 g2 x10 y0 r4.9989\nm2\n",
+                           "g0 x1\n",
+                           "g0 x1\n%\n",
+                           "g99.9\nm2\n",
+                           "g80 x1\nm2\n",
+                           "f9 g81 x0 y0 z-1 r0 a90\nm2\n",
+                           "g0 x[1/0]\nm2\n",
+                           "g0 x[sqrt[-1]]\nm2\n",
+                           "o1 call\nm2\n",
+                           "g0 x1 (open\nm2\n",
+                           "#1=5 g0 x#1\nm2\n",
+                           "g53 g2 x1 y1 i1\nm2\n",
+                           "g91 g53 g0 x1\nm2\n",
+                           "g4\nm2\n",
+                           "f-5\nm2\n",
+                           "g0 x#<none>\nm2\n",
+                           "g92\nm2\n",
+                           "f9 g2 x0 y0 r5\nm2\n",
+                           "f9 g3 x1\nm2\n",
+                           "f9 g18 g2 x1 j1\nm2\n",
+                           "g0 x1 p2\nm2\n",
+                           "g10 l20 p1 x5\nm2\n"}) {
+    const bool theirs = run_rs274(start + text, folder).has_value();
+    const auto mine = read(start + text, kinematics::DialectFamily::linuxcnc);
+    EXPECT_EQ(theirs, !mine.error) << text << mine.message();
+  }
+}
+
+}  // namespace
+}  // namespace volute::sim::test
