@@ -9,8 +9,8 @@ namespace {
 constexpr int axes = kinematics::axis_count;
 }
 
-// u = (x1 - x0) / (2 length). At the start the axis accelerates by curvature x0 + rate u, at the end by curvature x1 + end
-// rate u.
+// u = (x1 - x0) / (2 length). At the start the axis accelerates by curvature x0 + rate u, at the end by curvature x1 +
+// end rate u.
 BendLimits::BendLimits(const PathCell& cell) {
   const double half = 0.5 / cell.length;
   for (int i = 0; i < axes; ++i) {
@@ -74,8 +74,8 @@ double BendLimits::greatest_feasible_end(double end_sq_max) const {
   return end_sq;
 }
 
-// The bound is concave in x1: if it still rises at the greatest x1, that is the best; else two lines, one rising and one
-// falling, are brought together until they meet on the bound.
+// The bound is concave in x1: if it still rises at the greatest x1, that is the best; else two lines, one rising and
+// one falling, are brought together until they meet on the bound.
 BendLimits::Answer BendLimits::greatest_start(double end_sq_max, double start_sq_max) const {
   const double end_max = greatest_feasible_end(end_sq_max);
   const auto answer = [&](double sq, int axis) {

@@ -58,7 +58,7 @@ BlockGeometry::BlockGeometry(const kinematics::Machine& machine, const kinematic
 // is.
 Result<BlockGeometry::Target> BlockGeometry::target_of(const MotionBlock& block) const {
   Target target{q_, state_.tip_P_mm};
-  const AxisVector& zero = block.tool_length_active ? zero_with_tool_ : zero_without_tool_;
+  const AxisVector& zero = zero_of(block);
   const bool tip = block.tcp && !block.machine_coordinates;
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -94,6 +94,22 @@ Result<BlockGeometry::Target> BlockGeometry::target_of(const MotionBlock& block)
   target.by_vector =
       control_.orientation_interpolation == kinematics::OrientationInterpolation::great_circle && block.tcp;
   return target;
+}
+
+Result<void> BlockGeometry::go_to(const MotionBlock& block, const Target& target) {
+  AxisVector q = target.q;
+  if (block.tcp && !block.machine_coordinates) {
+    q.head<3>() = q_.head<3>();
+    const auto solved = solver_.with_tip(target.tip_P_mm, q);
+    if (!solved)
+      return bad_input("pose-unreachable", "line " + std::to_string(block.line) + ": the linear axes of " +
+                                               machine_.name + " cannot bring the tip to " +
+                                               pose_text(target.tip_P_mm) + "; check the machine's directions");
+    q = *solved;
+  }
+  q_ = q;
+  state_ = solver_.state(q);
+  return {};
 }
 
 Result<BlockPath> BlockGeometry::path_of(const MotionBlock& block, BlockInfo& info) {
@@ -231,7 +247,7 @@ Result<void> BlockGeometry::add_vector(const MotionBlock& block, const Target& t
 // stand on it.
 Result<void> BlockGeometry::add_arc(const MotionBlock& block, const Target& target, BlockPath& path) {
   const bool tip = block.tcp && !block.machine_coordinates;
-  const AxisVector& zero = block.tool_length_active ? zero_with_tool_ : zero_without_tool_;
+  const AxisVector& zero = zero_of(block);
   const AxisVector from = q_;
   const Vec3 start = tip ? state_.tip_P_mm : Vec3(from.head<3>() - zero.head<3>());
   const Vec3 end = tip ? target.tip_P_mm : Vec3(target.q.head<3>() - zero.head<3>());

@@ -34,15 +34,27 @@ class BlockGeometry {
   geometry::Result<BlockPath> path_of(const MotionBlock& block, BlockInfo& info);
 
   [[nodiscard]] const AxisVector& position() const { return q_; }
+  /// The tip there, in the part.
+  [[nodiscard]] const Vec3& tip() const { return state_.tip_P_mm; }
 
- private:
+  /// Where a block ends.
   struct Target {
     AxisVector q;            ///< rotaries always; linear axes when !tcp
     Vec3 tip_P_mm;           ///< when tcp
     bool by_vector = false;  ///< the axis vector follows the great circle
     Vec3 axis_P = Vec3::UnitZ();
   };
-  geometry::Result<Target> target_of(const MotionBlock& block) const;
+  /// Errors (bad_input): pose-unreachable.
+  [[nodiscard]] geometry::Result<Target> target_of(const MotionBlock& block) const;
+  /// Goes there without making a path. Errors as path_of.
+  geometry::Result<void> go_to(const MotionBlock& block, const Target& target);
+  /// What the linear axes show where the block's coordinates are zero (not for TCP and machine coordinates).
+  [[nodiscard]] const AxisVector& zero_of(const MotionBlock& block) const {
+    return block.tool_length_active ? zero_with_tool_ : zero_without_tool_;
+  }
+  [[nodiscard]] const AxisSolver& solver() const { return solver_; }
+
+ private:
   void add_straight(const MotionBlock& block, const Target& target, BlockPath& path);
   geometry::Result<void> add_tcp(const MotionBlock& block, const Target& target, BlockPath& path);
   geometry::Result<void> add_tcp_piece(const MotionBlock& block, const Vec3& tip_P_mm,

@@ -7,6 +7,7 @@
 #include "geometry/check.hpp"
 #include "sim/controller/block_geometry.hpp"
 #include "sim/controller/cycle_sampler.hpp"
+#include "sim/controller/linuxcnc/linuxcnc_run.hpp"
 #include "sim/controller/path_cells.hpp"
 #include "sim/controller/run_statistics.hpp"
 #include "sim/controller/speed_profile.hpp"
@@ -87,6 +88,7 @@ class ControlRun {
 Result<RunReport> run_motions(const MotionSource& next, const ControlSetup& setup, const SampleSink& sink,
                               const std::function<void(std::int64_t line)>& progress) {
   VOLUTE_CHECK(setup.machine && setup.control);
+  if (setup.control->linuxcnc_planner) return linuxcnc::run_motions(next, setup, sink, progress);
   ControlRun run(setup, sink);
   for (std::int64_t count = 1;; ++count) {
     const auto block = next();

@@ -18,6 +18,7 @@ constexpr double no_limit = std::numeric_limits<double>::infinity();
 /// What is kept of one block of the program until its last sample is out.
 struct BlockInfo {
   std::int64_t line = 0;
+  std::int64_t ordinal = 0;  ///< blocks of the program are counted from 0
   bool rapid = false;
   bool cutting = false;
   double tip_length_mm = 0.0;      ///< of the tip relative to the part

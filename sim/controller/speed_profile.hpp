@@ -48,7 +48,7 @@ class SpeedProfile {
   struct Node {
     PathCell cell;
     std::optional<BendLimits> bend;  ///< curved cells
-    double start_sq_max = 0.0;  ///< of x at the cell's start: both neighbours' limits
+    double start_sq_max = 0.0;       ///< of x at the cell's start: both neighbours' limits
     Limit start_limit = Limit::stop;
     int start_axis = -1;
     double sq = 0.0;  ///< greatest x at the cell's start from which the window's end can be reached
@@ -66,7 +66,7 @@ class SpeedProfile {
   std::deque<Node> window_;
   std::deque<std::size_t> cells_of_block_;
   std::size_t new_cells_ = 0;  ///< at the window's end, not swept yet
-  double last_sq_max_ = 0.0;  ///< of the cell before the next one to come
+  double last_sq_max_ = 0.0;   ///< of the cell before the next one to come
   Limit last_limit_ = Limit::stop;
   int last_axis_ = -1;
   double sq_now_ = 0.0;
