@@ -87,8 +87,10 @@ BlockWriter::Units BlockWriter::units_of(const BlockWords& words) const {
   return units;
 }
 
-// A component of the vector that is left out would count as 0, so the three go together.
+// A component of the vector that is left out would count as 0, so the three go together. An LN block takes nothing over from the block
+// before: it carries all of its words.
 bool BlockWriter::append_changed(const Units& units) {
+  if (heidenhain_ && units[5] && units != known_) known_ = {};
   const bool vector_changed = units[5] && (units[5] != known_[5] || units[6] != known_[6] || units[7] != known_[7]);
   bool any = false;
   for (std::size_t k = 0; k < slots; ++k) {
@@ -120,7 +122,7 @@ void BlockWriter::move(Motion motion, const BlockWords& words) {
   const std::int64_t number_before = number_;
   begin_block();
   if (heidenhain_) {
-    text_ += words.axis_vector && motion == Motion::feed ? "LN" : "L";
+    text_ += words.axis_vector ? "LN" : "L";
   } else if (motion_ != motion) {
     text_ += motion == Motion::rapid ? "G0" : "G1";
   } else if (text_.size() > begin) {

@@ -1,6 +1,7 @@
 // Which branch every point takes: dynamic programming over two states a point.
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "geometry/number_text.hpp"
 #include "kinematics/inverse/path_steps.hpp"
@@ -116,12 +117,13 @@ class BranchChoice {
     }
   }
 
-  [[nodiscard]] std::vector<ChosenPoint> trace(AxisPathReport& report) const {
-    std::vector<ChosenPoint> chosen(candidates_.size());
-    if (last_) trace_branches(chosen, report);
-    unwrap(chosen);
-    fill_poles(chosen, report);
-    return chosen;
+  [[nodiscard]] std::vector<BranchOption> options() const {
+    std::vector<BranchOption> found;
+    if (!last_) found.push_back(trace(0, 0.0));  // every point stands at the pole
+    for (const std::size_t branch : {std::size_t{0}, std::size_t{1}})
+      if (last_ && cost_[branch] < impossible) found.push_back(trace(branch, cost_[branch]));
+    if (found.size() == 2 && found[1].cost_s < found[0].cost_s) std::swap(found[0], found[1]);
+    return found;
   }
 
  private:
@@ -187,8 +189,18 @@ class BranchChoice {
     cost_ = cost;
   }
 
-  void trace_branches(std::vector<ChosenPoint>& chosen, AxisPathReport& report) const {
-    std::size_t branch = cost_[0] <= cost_[1] ? 0 : 1;
+  [[nodiscard]] BranchOption trace(std::size_t last_branch, double cost_s) const {
+    BranchOption option;
+    option.points.resize(candidates_.size());
+    option.cost_s = cost_s;
+    if (last_) trace_branches(last_branch, option);
+    unwrap(option.points);
+    fill_poles(option.points, option);
+    return option;
+  }
+
+  void trace_branches(std::size_t branch, BranchOption& option) const {
+    std::vector<ChosenPoint>& chosen = option.points;
     for (std::size_t i = *last_ + 1; i-- > 0;) {
       if (candidates_[i].at_pole) continue;
       chosen[i].branch = static_cast<std::int8_t>(branch);
@@ -196,7 +208,7 @@ class BranchChoice {
       const Way way = steps_[i].way[branch];
       chosen[i].reposition = way == Way::reposition_before || way == Way::reposition_here;
       chosen[i].meet_here = way == Way::reposition_here;
-      report.pole_crossings += way == Way::through_pole ? 1 : 0;
+      option.pole_crossings += way == Way::through_pole ? 1 : 0;
       branch = static_cast<std::size_t>(steps_[i].from[branch]);
     }
   }
@@ -215,24 +227,24 @@ class BranchChoice {
   }
 
   // At the pole the free rotary turns evenly from where it was to where it must be.
-  void fill_poles(std::vector<ChosenPoint>& chosen, AxisPathReport& report) const {
+  void fill_poles(std::vector<ChosenPoint>& chosen, BranchOption& option) const {
     const std::size_t free = static_cast<std::size_t>(free_rotary(problem_.machine));
     for (std::size_t begin = 0; begin < chosen.size();) {
       std::size_t end = begin;
       while (end < chosen.size() && candidates_[end].at_pole) ++end;
-      if (end > begin) fill_run(chosen, begin, end, free, report);
+      if (end > begin) fill_run(chosen, begin, end, free, option);
       begin = end + 1;
     }
   }
 
   void fill_run(std::vector<ChosenPoint>& chosen, std::size_t begin, std::size_t end, std::size_t free,
-                AxisPathReport& report) const {
+                BranchOption& option) const {
     const AxisVector q = problem_.options.start.value_or(AxisVector::Zero());
     double from = q[static_cast<Eigen::Index>(3 + free)];
     if (begin > 0) from = chosen[begin - 1].rotary[free];
     const double to = end < chosen.size() ? chosen[end].rotary[free] : from;
     if (begin == 0) from = to;
-    report.pole_crossings += begin > 0 && end < chosen.size() && chosen[begin - 1].branch == chosen[end].branch ? 1 : 0;
+    option.pole_crossings += begin > 0 && end < chosen.size() && chosen[begin - 1].branch == chosen[end].branch ? 1 : 0;
     for (std::size_t i = begin; i < end; ++i) {
       const double share = static_cast<double>(i - begin + 1) / static_cast<double>(end - begin + 1);
       chosen[i].rotary = candidates_[i].rotary[0];
@@ -273,12 +285,16 @@ int free_rotary(const Machine& machine) {
   return third < fourth ? 0 : 1;
 }
 
-Result<std::vector<ChosenPoint>> choose_branches(const PathProblem& problem, AxisPathReport& report) {
+Result<std::vector<BranchOption>> choose_branches(const PathProblem& problem) {
   const auto candidates = all_candidates(problem);
   if (!candidates) return tl::unexpected(candidates.error());
   BranchChoice choice(problem, *candidates);
   choice.run();
-  return choice.trace(report);
+  std::vector<BranchOption> options = choice.options();
+  if (!options.empty()) return options;
+  return bad_input("axis-out-of-travel", "no branch of " + problem.machine.name +
+                                             " can be followed from the first to the last point, not even by changing "
+                                             "it off the part; lower the tilt or turn the part");
 }
 
 }  // namespace volute::kinematics

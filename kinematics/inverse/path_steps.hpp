@@ -52,10 +52,16 @@ struct ChosenPoint {
   bool meet_here = false;   ///< reposition at this point (else at the one before)
 };
 
-/// Branch of every point: least motion of the rotaries by dynamic programming over both branches; repositions only
-/// where nothing else is possible. Rotaries unwrapped, travel of wide axes not yet looked at. Sets
-/// report.pole_crossings. Errors: axis-out-of-travel, pose-unreachable.
-geometry::Result<std::vector<ChosenPoint>> choose_branches(const PathProblem& problem, AxisPathReport& report);
+/// One way along the whole path. Rotaries unwrapped; travel of wide axes not yet looked at.
+struct BranchOption {
+  std::vector<ChosenPoint> points;
+  double cost_s = 0.0;  ///< motion of the rotaries at their greatest velocity, and a great deal for every reposition
+  int pole_crossings = 0;
+};
+
+/// The ways of least motion that end in either branch, by dynamic programming over both; repositions only where nothing
+/// else is possible. One or two, the cheaper first. Errors: axis-out-of-travel, pose-unreachable.
+geometry::Result<std::vector<BranchOption>> choose_branches(const PathProblem& problem);
 
 /// A stretch of the path with its own whole turns added to the rotaries. The first one starts at point 0; each later
 /// one starts with a rewind.

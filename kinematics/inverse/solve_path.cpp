@@ -115,6 +115,22 @@ Result<AxisPath> place_points(const PathProblem& problem, const std::vector<Chos
   return path;
 }
 
+struct Chosen {
+  const BranchOption* option = nullptr;
+  std::vector<Stretch> stretches;
+};
+
+// Branches of equal motion can differ by a rewind, as they start at different places of a rotary's travel. The cheaper
+// one wins a tie.
+Chosen fewest_rewinds(const PathProblem& problem, const std::vector<BranchOption>& options) {
+  Chosen best;
+  for (const BranchOption& option : options) {
+    std::vector<Stretch> stretches = choose_turns(problem, option.points);
+    if (!best.option || stretches.size() < best.stretches.size()) best = {&option, std::move(stretches)};
+  }
+  return best;
+}
+
 std::string shown(const Axis& axis, double position) {
   return axis.kind == AxisKind::linear ? short_text(position)
                                        : short_text(geometry::Angle::radians(position).degrees());
@@ -152,11 +168,12 @@ Result<AxisPathResult> solve_path(const Machine& machine, const Setup& setup, co
   AxisPathResult result;
   if (path.points.empty()) return result;
   const PathProblem problem{machine, setup, tool.gauge_length_mm, path, options};
-  const auto chosen = choose_branches(problem, result.report);
-  if (!chosen) return tl::unexpected(chosen.error());
-  const std::vector<Stretch> stretches = choose_turns(problem, *chosen);
-  result.report.rewinds = static_cast<int>(stretches.size()) - 1;
-  const auto rough = place_points(problem, *chosen, stretches);
+  const auto options_found = choose_branches(problem);
+  if (!options_found) return tl::unexpected(options_found.error());
+  const Chosen chosen = fewest_rewinds(problem, *options_found);
+  result.report.pole_crossings = chosen.option->pole_crossings;
+  result.report.rewinds = static_cast<int>(chosen.stretches.size()) - 1;
+  const auto rough = place_points(problem, chosen.option->points, chosen.stretches);
   if (!rough) return tl::unexpected(rough.error());
   result.path = linearize(problem, *rough, result.report);
   if (auto travel = check_travel(problem, result.path); !travel) return tl::unexpected(travel.error());
