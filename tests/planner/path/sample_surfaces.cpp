@@ -1,0 +1,157 @@
+#include "sample_surfaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "geometry/number_text.hpp"
+
+namespace volute::planner::samples {
+
+using geometry::Index;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Drops unused vertices.
+TriangleMesh compact(const TriangleMesh& mesh) {
+  TriangleMesh result;
+  std::vector<Index> number(mesh.vertices_mm.size(), geometry::no_index);
+  for (geometry::Triangle t : mesh.triangles) {
+    for (Index& v : t) {
+      Index& n = number[static_cast<std::size_t>(v)];
+      if (n == geometry::no_index) {
+        n = static_cast<Index>(result.vertices_mm.size());
+        result.vertices_mm.push_back(mesh.vertices_mm[static_cast<std::size_t>(v)]);
+      }
+      v = n;
+    }
+    result.triangles.push_back(t);
+  }
+  return result;
+}
+
+/// Returns whether the vertex was moved onto a rim.
+bool snap_to_rim(Vec3& v, const std::vector<Hole>& holes, double reach_mm) {
+  for (const Hole& h : holes) {
+    const double dx = v.x() - h.x_mm, dy = v.y() - h.y_mm, distance = std::hypot(dx, dy);
+    if (std::abs(distance - h.radius_mm) > reach_mm) continue;
+    v.x() = h.x_mm + dx / distance * h.radius_mm;
+    v.y() = h.y_mm + dy / distance * h.radius_mm;
+    return true;
+  }
+  return false;
+}
+
+bool in_hole(const Vec3& v, const std::vector<Hole>& holes) {
+  return std::any_of(holes.begin(), holes.end(), [&](const Hole& h) {
+    return std::hypot(v.x() - h.x_mm, v.y() - h.y_mm) < h.radius_mm * (1.0 - 1e-9);
+  });
+}
+
+}  // namespace
+
+TriangleMesh plate(const PlateOptions& o) {
+  std::mt19937 random(o.seed);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  TriangleMesh grid;
+  const double cell_x = o.width_mm / o.columns, cell_y = o.depth_mm / o.rows;
+  for (int j = 0; j <= o.rows; ++j)
+    for (int i = 0; i <= o.columns; ++i) {
+      Vec3 v((static_cast<double>(i) / o.columns - 0.5) * o.width_mm,
+             (static_cast<double>(j) / o.rows - 0.5) * o.depth_mm, 0.0);
+      const bool inner = i > 0 && j > 0 && i < o.columns && j < o.rows;
+      const bool on_rim = inner && snap_to_rim(v, o.holes, 0.5 * std::min(cell_x, cell_y));
+      if (inner && !on_rim && o.jitter > 0.0) v += o.jitter * Vec3(cell_x * unit(random), cell_y * unit(random), 0.0);
+      grid.vertices_mm.push_back(v);
+    }
+  const auto add = [&](Index a, Index b, Index c) {
+    const Vec3 &p = grid.vertices_mm[static_cast<std::size_t>(a)], &q = grid.vertices_mm[static_cast<std::size_t>(b)],
+               &r = grid.vertices_mm[static_cast<std::size_t>(c)];
+    const bool has_area = (q - p).cross(r - p).z() > 1e-6 * cell_x * cell_y;
+    if (has_area && !in_hole((p + q + r) / 3.0, o.holes)) grid.triangles.push_back({a, b, c});
+  };
+  for (int j = 0; j < o.rows; ++j)
+    for (int i = 0; i < o.columns; ++i) {
+      const Index a = j * (o.columns + 1) + i, b = a + 1, d = a + o.columns + 1, c = d + 1;
+      const bool up = o.random_diagonals ? unit(random) > 0.0 : (i + j) % 2 == 0;
+      if (up) {
+        add(a, b, c);
+        add(a, c, d);
+      } else {
+        add(a, b, d);
+        add(b, c, d);
+      }
+    }
+  for (Vec3& v : grid.vertices_mm) {
+    if (o.height) v.z() = o.height(v.x(), v.y());
+    if (o.noise_mm > 0.0) v.z() += o.noise_mm * unit(random);
+  }
+  return compact(grid);
+}
+
+TriangleMesh ring(double inner_mm, double outer_mm, int around, int across) {
+  TriangleMesh mesh;
+  for (int j = 0; j <= across; ++j)
+    for (int i = 0; i < around; ++i) {
+      const double radius = inner_mm + (outer_mm - inner_mm) * j / across, angle = 2.0 * pi * i / around;
+      mesh.vertices_mm.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+    }
+  for (int j = 0; j < across; ++j)
+    for (int i = 0; i < around; ++i) {
+      const Index a = j * around + i, b = j * around + (i + 1) % around, c = b + around, d = a + around;
+      mesh.triangles.push_back({a, c, b});
+      mesh.triangles.push_back({a, d, c});
+    }
+  return mesh;
+}
+
+TriangleMesh dome(double radius_mm, double opening_rad, int around, int across) {
+  TriangleMesh mesh = ring(1.0, 2.0, around, across);
+  for (Vec3& v : mesh.vertices_mm) {
+    const double share = v.norm() - 1.0, polar = opening_rad + share * (0.5 * pi - opening_rad);
+    const Vec3 around_z = v.normalized();
+    v = radius_mm * Vec3(std::sin(polar) * around_z.x(), std::sin(polar) * around_z.y(), std::cos(polar));
+  }
+  return mesh;
+}
+
+TriangleMesh random_plate(std::uint32_t seed, int holes) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  PlateOptions o;
+  o.seed = seed;
+  o.columns = o.rows = 44 + static_cast<int>(random() % 20);
+  o.width_mm = o.depth_mm = o.columns;  // cells of 1 mm, stretched at the end
+  o.jitter = unit(random) < 0.3 ? 0.0 : 0.25 * unit(random);
+  o.random_diagonals = unit(random) < 0.5;
+  const bool graded_cells = unit(random) < 0.5, noisy = unit(random) < 0.5;
+  const double noise_mm = noisy ? 0.05 * unit(random) : 0.0, stretch = 1.0 + 3.0 * unit(random),
+               strength = graded_cells ? 0.9 * unit(random) : 0.0;
+  const double bump_mm = 6.0 * unit(random), length_mm = 15.0 + 20.0 * unit(random);
+  for (int tries = 0; tries < 20000 && static_cast<int>(o.holes.size()) < holes; ++tries) {
+    const Hole h{(unit(random) - 0.5) * o.width_mm, (unit(random) - 0.5) * o.depth_mm, 3.0 + 2.0 * unit(random)};
+    const double margin = h.radius_mm + 3.0;
+    bool free = std::abs(h.x_mm) + margin < 0.5 * o.width_mm && std::abs(h.y_mm) + margin < 0.5 * o.depth_mm;
+    for (const Hole& other : o.holes)
+      free = free && std::hypot(h.x_mm - other.x_mm, h.y_mm - other.y_mm) > h.radius_mm + other.radius_mm + 3.0;
+    if (free) o.holes.push_back(h);
+  }
+  TriangleMesh mesh = plate(o);
+  for (Vec3& v : mesh.vertices_mm) {
+    const double share = v.x() / o.width_mm + 0.5;
+    v.x() = stretch * o.width_mm * (share - 0.5 * strength * share * (1.0 - share) - 0.5);
+    v.z() = bump_mm * std::sin(v.x() / length_mm) * std::cos(v.y() / length_mm) + noise_mm * (2.0 * unit(random) - 1.0);
+  }
+  return mesh;
+}
+
+int case_count(int otherwise) {
+  const char* text = std::getenv("VOLUTE_CASES");
+  if (text == nullptr) return otherwise;
+  return static_cast<int>(geometry::parse_integer(text).value_or(otherwise));
+}
+
+}  // namespace volute::planner::samples
