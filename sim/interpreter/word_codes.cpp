@@ -1,4 +1,4 @@
-// What the G and M codes of word-address programs mean.
+// What the G codes of word-address programs mean.
 #include <algorithm>
 #include <string>
 
@@ -28,20 +28,20 @@ enum Group : int {
   group_tilt
 };
 
-std::string name_of(char letter, int tenths) {
+}  // namespace
+
+std::string code_name(char letter, int tenths) {
   std::string text = letter + std::to_string(tenths / 10);
   if (tenths % 10 != 0) text += "." + std::to_string(tenths % 10);
   return text;
 }
-
-}  // namespace
 
 bool WordProgram::set_group(Code code, int group) {
   const std::uint32_t bit = 1U << static_cast<unsigned>(group);
   // Fanuc and its relatives take the last code of a group; LinuxCNC refuses the block.
   if ((plan_.groups & bit) != 0 && linuxcnc_)
     return fault(code.column, "program-syntax",
-                 name_of('G', code.tenths) + " contradicts another G code of the same group in this block");
+                 code_name('G', code.tenths) + " contradicts another G code of the same group in this block");
   plan_.groups |= bit;
   return true;
 }
@@ -98,7 +98,7 @@ bool WordProgram::one_shot(Code code, OneShot what) {
   if (!set_group(code, group_one_shot)) return false;
   if (plan_.one_shot != OneShot::none)
     return fault(code.column, "program-syntax",
-                 name_of('G', code.tenths) + " cannot stand with another one-shot G code");
+                 code_name('G', code.tenths) + " cannot stand with another one-shot G code");
   plan_.one_shot = what;
   plan_.column = code.column;
   return true;
@@ -158,23 +158,25 @@ bool WordProgram::apply_mode(Code code) {
     default:
       break;
   }
-  if (code.tenths >= 540 && code.tenths <= 593) {
-    if (code.tenths == 541 && !linuxcnc_) {
-      if (!block_.use('P')) return fault(code.column, "program-syntax", "G54.1 needs P, the number of the work offset");
-      return work_offset(code, 100 + static_cast<int>(block_.value('P')));
-    }
-    if (code.tenths % 10 == 0) return work_offset(code, code.tenths / 10 - 53);
-    if (code.tenths > 590 && linuxcnc_) return work_offset(code, code.tenths - 590 + 6);
-    return refuse_g(code);
-  }
+  if (code.tenths >= 540 && code.tenths <= 593) return choose_work_offset(code);
   return apply_length(code);
+}
+
+bool WordProgram::choose_work_offset(Code code) {
+  if (code.tenths == 541 && !linuxcnc_) {
+    if (!block_.use('P')) return fault(code.column, "program-syntax", "G54.1 needs P, the number of the work offset");
+    return work_offset(code, 100 + static_cast<int>(block_.value('P')));
+  }
+  if (code.tenths % 10 == 0) return work_offset(code, code.tenths / 10 - 53);
+  if (code.tenths > 590 && linuxcnc_) return work_offset(code, code.tenths - 590 + 6);
+  return refuse_g(code);
 }
 
 bool WordProgram::work_offset(Code code, int system) {
   if (system != 1 && system != work_system_)
     reading_.diagnosis.warn_once(
         "work offset " + std::to_string(system),
-        name_of('G', code.tenths) +
+        code_name('G', code.tenths) +
             ": no table of work offsets is known; its zero is taken to be the setup's program zero");
   work_system_ = system;
   update_shift();
@@ -308,124 +310,8 @@ bool WordProgram::refuse_g(Code code) {
   const auto* found =
       std::find_if(reasons.begin(), reasons.end(), [&](const Reason& r) { return r.tenths == code.tenths; });
   return fault(code.column, "program-unknown-code",
-               name_of('G', code.tenths) + ": " +
+               code_name('G', code.tenths) + ": " +
                    (found != reasons.end() ? found->text : "this G code is not known to this control's dialect"));
-}
-
-bool WordProgram::tool_change(Code code) {
-  if (state_.standing.tcp)
-    return fault(code.column, "program-tool-change", "the tool is changed while TCP is on; switch TCP off first");
-  state_.standing.tool_number = tool_prepared_;
-  reading_.queue.push_back(state_.stop());
-  return true;
-}
-
-bool WordProgram::apply_m_before(Code code) {
-  const auto same = [&](const std::vector<int>& codes) {
-    return std::find(codes.begin(), codes.end(), code.tenths) != codes.end();
-  };
-  if (same(tcp_on_m_)) return switch_tcp(code, true);
-  if (same(tcp_off_m_)) return switch_tcp(code, false);
-  MotionBlock& standing = state_.standing;
-  switch (code.tenths) {
-    case 30:
-    case 40:
-      standing.spindle_on = true;
-      standing.spindle_reversed = code.tenths == 40;
-      return true;
-    case 60:
-      return tool_change(code);
-    case 50:
-    case 0:
-    case 10:
-    case 20:
-    case 300:
-    case 70:
-    case 80:
-    case 90:
-      return true;
-    case 190:
-      if (linuxcnc_) block_.use('R'), block_.use('Q');
-      standing.spindle_on = false;
-      return true;
-    case 980:
-    case 990:
-      if (!linuxcnc_) return true;
-      break;
-    default:
-      break;
-  }
-  bool known = false;
-  if (!machine_m(code, known)) return false;
-  if (known) return true;
-  return fault(code.column, "program-unknown-code",
-               name_of('M', code.tenths) + ": this M code is not known to this control");
-}
-
-bool WordProgram::machine_m(Code code, bool& known) {
-  const auto one_of = [&](std::initializer_list<int> codes) {
-    return std::find(codes.begin(), codes.end(), code.tenths) != codes.end();
-  };
-  if (!linuxcnc_) {
-    // Clamps of the rotary axes (M10 to M13) hold what stands still: they move nothing.
-    known = one_of({100, 110, 120, 130});
-    return true;
-  }
-  known = one_of({480, 490, 500, 510, 520, 530, 600, 610, 620, 630, 640, 650, 660, 670, 680});
-  if (!known) return true;
-  block_.use('P');
-  if (code.tenths == 610) {
-    if (!block_.use('Q'))
-      return fault(code.column, "program-syntax", "M61 needs Q, the number of the tool in the spindle");
-    state_.standing.tool_number = tool_prepared_ = static_cast<int>(std::clamp(block_.value('Q'), 0.0, 1e6));
-    return true;
-  }
-  if (code.tenths < 660) return true;
-  block_.use('E'), block_.use('L'), block_.use('Q');
-  if (code.tenths != 680) return true;
-  const std::array<double, 2> output{block_.value('E'), block_.value('Q')};
-  const auto is = [&](const auto& outputs) {
-    return std::find(outputs.begin(), outputs.end(), output) != outputs.end();
-  };
-  if (is(tcp_on_outputs_)) return switch_tcp(code, true);
-  return !is(tcp_off_outputs_) || switch_tcp(code, false);
-}
-
-bool WordProgram::apply_m_after(Code code) {
-  switch (code.tenths) {
-    case 50:
-      state_.standing.spindle_on = false;
-      return true;
-    case 0:
-      reading_.queue.push_back(state_.stop());
-      return true;
-    case 20:
-    case 300:
-      reading_.finished = true;
-      return true;
-    case 980: {
-      if (linuxcnc_) return true;
-      if (!block_.use('P')) return fault(code.column, "program-syntax", "M98 needs P, the number of the subprogram");
-      const double times = block_.use('L') ? block_.value('L') : 1.0;
-      if (!(block_.value('P') >= 0.0 && block_.value('P') < 1e12 && times >= 0.0 && times < 1e6))
-        return fault(code.column, "program-word-range", "P or L of M98 is out of range");
-      return subprograms_.call(code.column, static_cast<std::int64_t>(block_.value('P')),
-                               static_cast<std::int64_t>(times));
-    }
-    case 990: {
-      if (linuxcnc_) return true;
-      bool main = false;
-      if (!subprograms_.leave(main)) return false;
-      if (main) {
-        reading_.diagnosis.warn_once("M99 in main",
-                                     "M99 in the main program would start it again; it is taken as the end");
-        reading_.finished = true;
-      }
-      return true;
-    }
-    default:
-      return true;
-  }
 }
 
 }  // namespace volute::sim

@@ -16,6 +16,9 @@ namespace volute::sim {
 /// The modal motion: G0 to G3, none after G80, or a canned cycle (its code in tenths).
 enum class MotionMode : std::uint8_t { none, rapid, line, clockwise, counter_clockwise, cycle };
 
+/// "G43.4" for 434.
+std::string code_name(char letter, int tenths);
+
 class WordProgram final : public Dialect {
  public:
   explicit WordProgram(Reading& reading);
@@ -63,7 +66,10 @@ class WordProgram final : public Dialect {
   bool apply_path_mode(Code code);
   bool one_shot(Code code, OneShot what);
   bool set_group(Code code, int group);
+  bool choose_work_offset(Code code);
   bool work_offset(Code code, int system);
+
+  // word_m_codes.cpp
   bool apply_m_before(Code code);
   bool apply_m_after(Code code);
   bool machine_m(Code code, bool& known);
