@@ -81,20 +81,28 @@ class Linearizer {
     return middle;
   }
 
-  // The deviation is smooth and vanishes at both ends: three places bracket its maximum closely enough, also where it
-  // is lopsided.
+  // The deviation vanishes at both ends. Over a small turn it is a parabola with its top in the middle, to third order
+  // of the turn; over a larger one it may lean to a side, and three places bracket its top.
   [[nodiscard]] Deviation deviation(const AxisPathPoint& from, const AxisPathPoint& to) const {
-    Deviation greatest;
-    for (const double t : {0.25, 0.5, 0.75}) {
-      const AxisVector q = from.q + t * (to.q - from.q);
-      const ToolPose pose = tool_pose(problem_.machine, problem_.setup, problem_.tool_length_mm, q);
-      greatest.axis_rad =
-          std::max(greatest.axis_rad, angle_between(pose.axis_P, slerp(from.pose.axis_P, to.pose.axis_P, t)));
-      if (problem_.options.control_keeps_tip) continue;
-      greatest.tip_mm =
-          std::max(greatest.tip_mm, distance_to_segment(pose.tip_P_mm, from.pose.tip_P_mm, to.pose.tip_P_mm));
+    constexpr double small_turn_rad = 0.02;
+    const bool small = (to.q - from.q).tail<2>().cwiseAbs().maxCoeff() < small_turn_rad;
+    Deviation greatest = deviation_at(from, to, 0.5);
+    for (const double t : {0.25, 0.75}) {
+      if (small) break;
+      const Deviation beside = deviation_at(from, to, t);
+      greatest = {std::max(greatest.tip_mm, beside.tip_mm), std::max(greatest.axis_rad, beside.axis_rad)};
     }
     return greatest;
+  }
+
+  [[nodiscard]] Deviation deviation_at(const AxisPathPoint& from, const AxisPathPoint& to, double t) const {
+    const ToolPose pose =
+        tool_pose(problem_.machine, problem_.setup, problem_.tool_length_mm, from.q + t * (to.q - from.q));
+    Deviation at;
+    at.axis_rad = angle_between(pose.axis_P, slerp(from.pose.axis_P, to.pose.axis_P, t));
+    if (!problem_.options.control_keeps_tip)
+      at.tip_mm = distance_to_segment(pose.tip_P_mm, from.pose.tip_P_mm, to.pose.tip_P_mm);
+    return at;
   }
 
   const PathProblem& problem_;
