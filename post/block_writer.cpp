@@ -87,21 +87,23 @@ BlockWriter::Units BlockWriter::units_of(const BlockWords& words) const {
   return units;
 }
 
-// A component of the vector that is left out would count as 0, so the three go together. An LN block takes nothing over from the block
-// before: it carries all of its words.
+// The three components of the vector go together, as one left out would count as 0, and they stand in every block: what
+// a control holds when all are left out depends on its options. An LN block takes no coordinate over from the block
+// before either.
 bool BlockWriter::append_changed(const Units& units) {
-  if (heidenhain_ && units[5] && units != known_) known_ = {};
-  const bool vector_changed = units[5] && (units[5] != known_[5] || units[6] != known_[6] || units[7] != known_[7]);
+  const auto changed = [&](std::size_t slot) { return units[slot] && units[slot] != known_[slot]; };
   bool any = false;
+  for (std::size_t k = 0; k < slots; ++k) any = any || changed(k);
+  if (!any) return false;
+  const bool whole = heidenhain_ && units[5].has_value();
   for (std::size_t k = 0; k < slots; ++k) {
-    if (!units[k] || (k < 5 ? units[k] == known_[k] : !vector_changed)) continue;
+    if (!units[k] || (k < 5 && !whole && !changed(k))) continue;
     text_ += ' ';
     text_ += address_[k];
     append_scaled(text_, *units[k], format_of(k));
     known_[k] = units[k];
-    any = true;
   }
-  return any;
+  return true;
 }
 
 void BlockWriter::append_feed(const BlockWords& words, Motion motion) {
