@@ -16,7 +16,7 @@ using geometry::MeshTopology;
 
 namespace {
 
-constexpr double link_intervals_max = 1.5;  ///< from offset to offset; farther is a rapid traversal
+constexpr double link_intervals_max = 2.0;  ///< from offset to offset; farther is a rapid traversal
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
@@ -73,6 +73,25 @@ std::vector<RawPoint> closed_from(const Offset& offset, const Vec3& near_mm) {
   return loop;
 }
 
+/// Where a chain starts: the loop's point that comes nearest to an offset one level on (its first point when there is
+/// none), so that no link starts in a corner.
+Vec3 start_of(const std::vector<Offset>& offsets, const std::vector<char>& used, std::size_t current) {
+  std::vector<Vec3> next;
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+    if (!used[i] && offsets[i].level == offsets[current].level + 1)
+      for (const RawPoint& p : offsets[i].points) next.push_back(p.point_mm);
+  Vec3 best = offsets[current].points.front().point_mm;
+  double best_sq = std::numeric_limits<double>::infinity();
+  for (const RawPoint& p : offsets[current].points)
+    for (const Vec3& q : next) {
+      const double distance_sq = (p.point_mm - q).squaredNorm();
+      if (distance_sq >= best_sq) continue;
+      best_sq = distance_sq;
+      best = p.point_mm;
+    }
+  return best;
+}
+
 /// The unused offset one level on that comes nearest to a place, within reach.
 std::optional<std::size_t> next_offset(const std::vector<Offset>& offsets, const std::vector<char>& used,
                                        const Vec3& here, int level, double reach_mm) {
@@ -102,7 +121,7 @@ std::vector<Run> chains(const std::vector<Offset>& offsets, const SurfaceLocator
     while (current) {
       used[*current] = 1;
       const bool first = runs.back().empty();
-      const Vec3 here = first ? offsets[*current].points.front().point_mm : runs.back().back().points.back().point_mm;
+      const Vec3 here = first ? start_of(offsets, used, *current) : runs.back().back().points.back().point_mm;
       std::vector<RawPoint> loop = closed_from(offsets[*current], here);
       if (!first)
         runs.back().push_back(

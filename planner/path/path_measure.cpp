@@ -153,7 +153,7 @@ std::vector<double> corner_angles_rad(std::span<const Vec3> even, double spacing
   for (std::size_t i = window; i + window < even.size(); ++i) {
     const double angle = turning_at(even, i, window);
     if (angle <= least_rad) continue;
-    if (corners.empty() || i - last > window) corners.push_back(angle);
+    if (corners.empty() || 2 * (i - last) > window) corners.push_back(angle);
     corners.back() = std::max(corners.back(), angle);
     last = i;
   }

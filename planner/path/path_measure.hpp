@@ -25,7 +25,7 @@ struct MeasureRequest {
 void measure_path(const MeasureRequest& request, const CcPath& path, PathReport& report);
 
 /// Places where chords of `window_mm` before and behind differ by more than `least_rad`, with the largest angle there;
-/// places nearer than a window to each other are one corner.
+/// places nearer than half a window to each other are one corner.
 std::vector<double> corner_angles_rad(std::span<const Vec3> even_points, double spacing_mm, double window_mm,
                                       double least_rad);
 

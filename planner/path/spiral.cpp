@@ -199,13 +199,12 @@ std::vector<std::vector<RawPoint>> passes_of(const Annulus& annulus, const MeshT
   std::stable_sort(lines.begin(), lines.end(),
                    [&](const LevelLine& a, const LevelLine& b) { return level(a) < level(b); });
   long last = 0;
-  for (LevelLine& line : lines) {
+  for (const LevelLine& line : lines) {
     // Lines come by falling length: of several on one level the first is the pass. The last 5 % of a pass belong to the
     // boundary.
     if (level(line) <= last || static_cast<double>(level(line)) > field.turn_count - 0.05) continue;
     last = level(line);
-    passes.emplace_back();
-    std::reverse(line.points.begin(), line.points.end());  // greater values on the left is clockwise
+    passes.emplace_back();  // greater values on the left: counter-clockwise
     for (const SurfacePoint& p : line.points) passes.back().push_back(place(p));
   }
   passes.push_back(place_all(place, annulus.inner));

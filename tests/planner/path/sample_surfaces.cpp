@@ -15,6 +15,42 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+/// Where the surface touches itself at a vertex only the largest fan of triangles stays.
+void keep_one_fan(TriangleMesh& mesh) {
+  std::vector<std::vector<std::size_t>> around(mesh.vertices_mm.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (Index v : mesh.triangles[t]) around[static_cast<std::size_t>(v)].push_back(t);
+  std::vector<char> gone(mesh.triangles.size(), 0);
+  for (std::size_t v = 0; v < around.size(); ++v) {
+    std::vector<std::vector<std::size_t>> fans;
+    for (std::size_t t : around[v]) {
+      std::vector<std::size_t> fan{t};
+      const auto joins = [&](const std::vector<std::size_t>& other) {
+        return std::any_of(other.begin(), other.end(), [&](std::size_t u) {
+          int shared = 0;
+          for (Index p : mesh.triangles[t])
+            shared += std::count(mesh.triangles[u].begin(), mesh.triangles[u].end(), p) > 0 ? 1 : 0;
+          return shared == 2;
+        });
+      };
+      for (auto& other : fans)
+        if (joins(other)) {
+          fan.insert(fan.end(), other.begin(), other.end());
+          other.clear();
+        }
+      fans.push_back(fan);
+    }
+    const auto largest =
+        std::max_element(fans.begin(), fans.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    for (auto fan = fans.begin(); fan != fans.end(); ++fan)
+      for (std::size_t t : *fan) gone[t] = gone[t] || fan != largest;
+  }
+  std::vector<geometry::Triangle> kept;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (!gone[t]) kept.push_back(mesh.triangles[t]);
+  mesh.triangles = std::move(kept);
+}
+
 /// Drops unused vertices.
 TriangleMesh compact(const TriangleMesh& mesh) {
   TriangleMesh result;
@@ -89,6 +125,7 @@ TriangleMesh plate(const PlateOptions& o) {
     if (o.height) v.z() = o.height(v.x(), v.y());
     if (o.noise_mm > 0.0) v.z() += o.noise_mm * unit(random);
   }
+  keep_one_fan(grid);
   return compact(grid);
 }
 

@@ -1,0 +1,169 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "planner/path/cc_path.hpp"
+#include "sample_surfaces.hpp"
+
+namespace volute::planner {
+namespace {
+
+using geometry::TriangleMesh;
+
+PathOptions asked(Strategy strategy, Method method, double scallop_mm = 0.1) {
+  PathOptions options;
+  options.strategy = strategy;
+  options.method = method;
+  options.scallop_mm = scallop_mm;
+  return options;
+}
+
+Result<CcPathResult> planned(const TriangleMesh& surface, const PathOptions& options) {
+  return plan_cc_path(surface, kinematics::Cutter{}, options, OrientationOptions{});
+}
+
+TriangleMesh flat_ring() { return samples::ring(6.0, 26.0, 160, 32); }
+
+TriangleMesh two_holes() {
+  samples::PlateOptions o;
+  o.columns = o.rows = 60;
+  o.holes = {{-9.0, -3.0, 4.0}, {8.0, 5.0, 5.0}};
+  o.height = [](double x, double y) { return 0.01 * (x * x - y * y); };
+  return samples::plate(o);
+}
+
+/// Angle that the path winds around the origin, in turns; positive counter-clockwise.
+double winding(const CcPiece& piece) {
+  double turns = 0.0;
+  for (std::size_t i = 1; i < piece.points.size(); ++i) {
+    const Vec3 &a = piece.points[i - 1].point_P_mm, &b = piece.points[i].point_P_mm;
+    turns += std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y()) / (2.0 * std::numbers::pi);
+  }
+  return turns;
+}
+
+TEST(GuidedPath, OnAFlatRingTheSpiralIsNearlyAsShortAsCanBe) {
+  for (Method method : {Method::periodic, Method::paper}) {
+    const auto result = planned(flat_ring(), asked(Strategy::spiral, method));
+    ASSERT_TRUE(result) << result.error().message;
+    const PathReport& report = result->report;
+    EXPECT_EQ(report.pieces, 1);
+    EXPECT_EQ(report.rapid_traversals, 0);
+    EXPECT_EQ(report.liftings, 2);
+    // Logarithmic height: one increment for the whole ring pays for the narrow inner turns everywhere.
+    EXPECT_LT(report.length_ratio, method == Method::periodic ? 1.15 : 2.2);
+    EXPECT_GT(report.length_ratio, 1.0);
+    EXPECT_LT(report.scallop_ratio_max.value(), 1.02);
+    EXPECT_LT(report.interval_ratio_max.value(), 1.03);
+    EXPECT_TRUE(method == Method::paper || report.sharp_corners == 0);
+    EXPECT_GT(report.seam_kink_max_deg.value(), method == Method::paper ? 15.0 : 0.0) << "a fixed seam bends the path";
+    EXPECT_LT(report.seam_kink_max_deg.value(), method == Method::paper ? 60.0 : 15.0);
+    EXPECT_EQ(result->surface.map_flips.value(), 0);
+  }
+}
+
+TEST(GuidedPath, TurnsGrowByOneATurnAndHalfTurnsRunAlongBothBoundaries) {
+  const auto result = planned(flat_ring(), asked(Strategy::spiral, Method::periodic));
+  ASSERT_TRUE(result);
+  const auto& points = result->path.pieces[0].points;
+  EXPECT_NEAR(points.front().point_P_mm.norm(), 26.0, 0.02);
+  EXPECT_NEAR(points.back().point_P_mm.norm(), 6.0, 0.02);
+  EXPECT_NEAR(winding(result->path.pieces[0]), points.back().turn + 1.0, 0.05);
+  double on_outer_mm = 0.0;
+  for (std::size_t i = 1; i < points.size() && points[i].turn < 1e-3; ++i)
+    on_outer_mm += (points[i].point_P_mm - points[i - 1].point_P_mm).norm();
+  EXPECT_NEAR(on_outer_mm, std::numbers::pi * 26.0, 2.0);
+  for (std::size_t i = 1; i < points.size(); ++i) EXPECT_GE(points[i].turn, points[i - 1].turn - 1e-3);
+}
+
+TEST(GuidedPath, TwoHolesNeedNoRetractAndKeepTheScallop) {
+  for (Method method : {Method::periodic, Method::paper}) {
+    const auto result = planned(two_holes(), asked(Strategy::spiral, method));
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_EQ(result->report.pieces, 1);
+    EXPECT_EQ(result->map.bridges_P.size(), 2U);
+    EXPECT_FALSE(result->map.guide_lines.empty());
+    EXPECT_TRUE(method == Method::paper || result->report.scallop_ratio_p9999.value() < 1.05);
+    EXPECT_EQ(result->report.notes.size(), method == Method::paper ? 1U : 0U)
+        << "one increment degenerates with two holes: said";
+  }
+}
+
+TEST(GuidedPath, ADiskEndsInItsMiddle) {
+  samples::PlateOptions o;
+  o.columns = o.rows = 50;
+  const auto result = planned(samples::plate(o), asked(Strategy::spiral, Method::periodic));
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_EQ(result->report.pieces, 1);
+  EXPECT_LT(result->path.pieces[0].points.back().point_P_mm.norm(), 3.0);
+  EXPECT_LT(result->report.scallop_ratio_p9999.value(), 1.05);
+  EXPECT_LT(result->report.length_ratio, 2.0);
+}
+
+TEST(GuidedPath, DirectionAndClimbTurnThePathRound) {
+  PathOptions options = asked(Strategy::spiral, Method::periodic);
+  const auto sense = [&](Direction direction, CutDirection cut) {
+    options.direction = direction;
+    options.cut_direction = cut;
+    const auto result = planned(flat_ring(), options);
+    EXPECT_TRUE(result);
+    const bool starts_outside = result->path.pieces[0].points.front().point_P_mm.norm() > 25.0;
+    EXPECT_EQ(starts_outside, direction == Direction::inward);
+    return winding(result->path.pieces[0]) > 0.0;
+  };
+  EXPECT_TRUE(sense(Direction::inward, CutDirection::conventional));
+  EXPECT_FALSE(sense(Direction::inward, CutDirection::climb)) << "clockwise inward: the material is on the right";
+  EXPECT_TRUE(sense(Direction::outward, CutDirection::climb));
+  EXPECT_FALSE(sense(Direction::outward, CutDirection::conventional));
+}
+
+TEST(GuidedPath, APartBetweenTwoTurns) {
+  PathOptions options = asked(Strategy::spiral, Method::periodic);
+  options.from_turn = 2.0;
+  options.to_turn = 4.0;
+  const auto result = planned(flat_ring(), options);
+  ASSERT_TRUE(result);
+  EXPECT_NEAR(winding(result->path.pieces[0]), 2.0, 0.1);
+  for (const CcPoint& p : result->path.pieces[0].points) {
+    EXPECT_GT(p.turn, 1.9);
+    EXPECT_LT(p.turn, 4.1);
+  }
+  options.from_turn = 400.0;
+  options.to_turn = 500.0;
+  EXPECT_EQ(planned(flat_ring(), options).error().code, "path-turns");
+}
+
+TEST(GuidedPath, ContoursAreClosedPassesWithOneLinkBetween) {
+  const auto result = planned(flat_ring(), asked(Strategy::contour_parallel, Method::periodic));
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_EQ(result->report.pieces, 1);
+  const auto& points = result->path.pieces[0].points;
+  EXPECT_EQ(result->report.linkings, static_cast<int>(std::lround(winding(result->path.pieces[0]))) - 1);
+  for (std::size_t i = 1; i < points.size(); ++i)
+    EXPECT_GT((points[i].point_P_mm - points[i - 1].point_P_mm).norm(), 1e-3);
+  EXPECT_LT(result->report.scallop_ratio_max.value(), 1.02);
+}
+
+TEST(GuidedPath, TheSameInputGivesTheSamePoints) {
+  const auto a = planned(two_holes(), asked(Strategy::spiral, Method::periodic)),
+             b = planned(two_holes(), asked(Strategy::spiral, Method::periodic));
+  ASSERT_TRUE(a && b);
+  ASSERT_EQ(a->path.pieces[0].points.size(), b->path.pieces[0].points.size());
+  for (std::size_t i = 0; i < a->path.pieces[0].points.size(); ++i)
+    ASSERT_EQ(a->path.pieces[0].points[i].point_P_mm, b->path.pieces[0].points[i].point_P_mm);
+}
+
+TEST(PlanCcPath, SaysWhatIsWrongWithTheJob) {
+  EXPECT_EQ(planned(flat_ring(), asked(Strategy::spiral, Method::periodic, 0.0)).error().code, "path-scallop");
+  EXPECT_EQ(planned(flat_ring(), asked(Strategy::spiral, Method::periodic, 3.0)).error().code, "path-scallop");
+  PathOptions options = asked(Strategy::spiral, Method::periodic);
+  options.tolerance_mm = -1.0;
+  EXPECT_EQ(planned(flat_ring(), options).error().code, "path-tolerance");
+  const TriangleMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                 {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  EXPECT_EQ(planned(tetrahedron, asked(Strategy::iso_planar, Method::paper)).error().code, "surface-closed");
+}
+
+}  // namespace
+}  // namespace volute::planner
