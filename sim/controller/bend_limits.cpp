@@ -7,7 +7,14 @@ namespace volute::sim {
 
 namespace {
 constexpr int axes = kinematics::axis_count;
+/// Where the start (or the end) speed cancels out of a bound, what is left of it is rounding: it is taken as not there.
+/// The bounds themselves stand this much under the axes' limits and more (MotionLimits), so that nothing is lost.
+constexpr double negligible = 1e-9;
+
+void drop_rounding(double& weight, double other) {
+  if (std::abs(weight) < negligible * std::abs(other)) weight = 0.0;
 }
+}  // namespace
 
 // u = (x1 - x0) / (2 length). At the start the axis accelerates by curvature x0 + rate u, at the end by curvature x1 +
 // end rate u.
@@ -25,6 +32,8 @@ BendLimits::BendLimits(const PathCell& cell) {
     to_weight_[b] = bend + end_rate;
   }
   for (std::size_t j = 0; j < from_weight_.size(); ++j) {
+    drop_rounding(from_weight_[j], to_weight_[j]);
+    drop_rounding(to_weight_[j], from_weight_[j]);
     const double weight = from_weight_[j];
     if (weight != 0.0) {
       at_zero_[j] = 1.0 / std::abs(weight);
@@ -101,7 +110,8 @@ BendLimits::Answer BendLimits::greatest_end(double start_sq, double end_sq_max) 
   for (std::size_t j = 0; j < to_weight_.size(); ++j) {
     const double weight = to_weight_[j];
     if (weight == 0.0) continue;
-    const double bound = ((weight > 0.0 ? 1.0 : -1.0) - from_weight_[j] * start_sq) / weight;
+    const double one = weight > 0.0 ? 1.0 + negligible : -1.0 - negligible;
+    const double bound = (one - from_weight_[j] * start_sq) / weight;
     if (bound < answer.sq) answer = {std::max(0.0, bound), static_cast<int>(j) % axes};
   }
   return answer;

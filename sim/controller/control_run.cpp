@@ -27,8 +27,9 @@ class ControlRun {
   ControlRun(const ControlSetup& setup, const SampleSink& sink)
       : start_(setup.start.value_or(zero_pose(*setup.machine))),
         geometry_(*setup.machine, *setup.control, setup.setup, setup.tool_length_mm, start_),
-        rounder_(motion_limits(*setup.machine, *setup.control, setup.control->corner_tolerance_mm),
-                 motion_limits(*setup.machine, *setup.control, no_limit), start_),
+        feed_limits_(motion_limits(*setup.machine, *setup.control, setup.control->corner_tolerance_mm)),
+        rapid_limits_(motion_limits(*setup.machine, *setup.control, no_limit)),
+        rounder_(feed_limits_, rapid_limits_, start_),
         profile_(std::max(1, setup.control->look_ahead_blocks)),
         statistics_(*setup.machine, setup.control->servo_period_s),
         sampler_(*setup.machine, *setup.control, start_, sink, statistics_) {}
@@ -74,6 +75,7 @@ class ControlRun {
 
   AxisVector start_;
   BlockGeometry geometry_;
+  MotionLimits feed_limits_, rapid_limits_;
   CornerRounder rounder_;
   SpeedProfile profile_;
   RunStatistics statistics_;

@@ -37,6 +37,19 @@ void limit_velocity(PathCell& cell) {
   }
 }
 
+/// The speed's change is even within a cell, so a wide turn of the axes (weighed by what they can do) needs several.
+int cells_of_turn(const AxisVector& in, const AxisVector& out, const MotionLimits& limits) {
+  constexpr double turn_of_a_cell = 0.07;
+  constexpr int cells_most = 16;
+  double turn = 0.0, size = 0.0;
+  for (int i = 0; i < axes; ++i) {
+    const double a = limits.acceleration[static_cast<std::size_t>(i)];
+    turn = std::max(turn, std::abs(out[i] - in[i]) / a);
+    size = std::max({size, std::abs(in[i]) / a, std::abs(out[i]) / a});
+  }
+  return std::clamp(static_cast<int>(std::ceil(turn / (2.0 * turn_of_a_cell * size))), 1, cells_most);
+}
+
 }  // namespace
 
 PathCell CornerRounder::cell_of(const Piece& piece) const {
@@ -103,21 +116,33 @@ void CornerRounder::corner(Piece& in, Piece& out, std::vector<PathCell>& cells) 
   straight(in, in.used, in.end.length - reach, cells);
   out.used = reach;
   if (reach <= 0.0) return;
-  const AxisVector curvature = turn / (2.0 * reach);
   const bool sharp = std::isfinite(in.end.corner_tolerance_mm) &&
                      before.cross(after).norm() > corner_sine * before.norm() * after.norm();
+  round(in, out, reach, sharp, cells);
+}
+
+// Each half in as many cells as its turn asks for.
+void CornerRounder::round(const Piece& in, const Piece& out, double reach, bool sharp,
+                          std::vector<PathCell>& cells) const {
+  const AxisVector curvature = (out.rate - in.rate) / (2.0 * reach);
+  const AxisVector start = in.end.q - reach * in.rate;
   for (int half = 0; half < 2; ++half) {
     PathCell cell = cell_of(half == 0 ? in : out);
+    const int parts = cells_of_turn(in.rate, out.rate, *cell.limits);
     cell.tip_rates = in.end.tip_rates;
-    cell.length = reach;
+    cell.length = reach / parts;
     cell.straight = false;
     cell.corner = sharp;
     cell.curvature = curvature;
-    cell.rate = half == 0 ? in.rate : AxisVector(in.rate + reach * curvature);
-    cell.start = half == 0 ? AxisVector(in.end.q - reach * in.rate) : AxisVector(in.end.q + 0.25 * reach * turn);
-    limit_velocity(cell);
-    limit_bend(cell, in.end);
-    cells.push_back(cell);
+    for (int part = 0; part < parts; ++part) {
+      const double s = half * reach + part * cell.length;
+      cell.start = start + s * in.rate + (0.5 * s * s) * curvature;
+      cell.rate = in.rate + s * curvature;
+      PathCell placed = cell;
+      limit_velocity(placed);
+      limit_bend(placed, in.end);
+      cells.push_back(placed);
+    }
   }
 }
 

@@ -35,6 +35,7 @@ struct PathCell {
 /// order in the rotation within the corner). 3. The filter's lag stays within the lag tolerances at the planned speed.
 class CornerRounder {
  public:
+  /// The limits must outlive the cells, which point to them.
   CornerRounder(const MotionLimits& feed, const MotionLimits& rapid, const AxisVector& start)
       : feed_(feed), rapid_(rapid), at_(start) {}
 
@@ -52,12 +53,13 @@ class CornerRounder {
     double used = 0.0;  ///< of its length, by the corner before it
   };
   void corner(Piece& in, Piece& out, std::vector<PathCell>& cells) const;
+  void round(const Piece& in, const Piece& out, double reach, bool sharp, std::vector<PathCell>& cells) const;
   void straight(const Piece& piece, double from, double to, std::vector<PathCell>& cells) const;
   [[nodiscard]] PathCell cell_of(const Piece& piece) const;
   void limit_bend(PathCell& cell, const PathPoint& at) const;
   const MotionLimits& limits_of(const PathPoint& point) const { return point.block->rapid ? rapid_ : feed_; }
 
-  MotionLimits feed_, rapid_;
+  const MotionLimits &feed_, &rapid_;
   AxisVector at_;
   std::optional<Piece> pending_;
 };
