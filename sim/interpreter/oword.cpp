@@ -185,7 +185,7 @@ bool OwordFlow::begin_repeat(std::string_view line, const Line& word) {
   double count = 0.0;
   if (!reader.bracketed(count)) return false;
   if (count > static_cast<double>(jumps_most)) return fault("more than 10 million repetitions");
-  const auto times = static_cast<std::int64_t>(std::round(count));
+  const auto times = static_cast<std::int64_t>(std::round(std::max(count, 0.0)));
   if (times >= 1) {
     frames_.back().loops.push_back({word.label, source_.after(), false, times});
     return true;

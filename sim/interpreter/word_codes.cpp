@@ -1,5 +1,6 @@
 // What the G codes of word-address programs mean.
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "geometry/number_text.hpp"
@@ -165,7 +166,10 @@ bool WordProgram::apply_mode(Code code) {
 bool WordProgram::choose_work_offset(Code code) {
   if (code.tenths == 541 && !linuxcnc_) {
     if (!block_.use('P')) return fault(code.column, "program-syntax", "G54.1 needs P, the number of the work offset");
-    return work_offset(code, 100 + static_cast<int>(block_.value('P')));
+    const double number = block_.value('P');
+    if (number != std::floor(number) || number < 1.0 || number > 300.0)
+      return fault(block_.column('P'), "program-word-range", "P of G54.1 is a whole number from 1 to 300");
+    return work_offset(code, 100 + static_cast<int>(number));
   }
   if (code.tenths % 10 == 0) return work_offset(code, code.tenths / 10 - 53);
   if (code.tenths > 590 && linuxcnc_) return work_offset(code, code.tenths - 590 + 6);
