@@ -144,7 +144,7 @@ class CentreSearch {
     EvenField field = solver->start();
     const std::vector<double> gain(domain->mesh.triangles.size(), 1.0);
     solver->improve(field, gain, options_.outer, options_.inner);
-    const auto slopes = gradient(domain->mesh, domain->operators, field.phi);
+    const auto slopes = solver->slopes(field);
     double length = 0.5 * (domain->outer.length_mm + domain->centre.length_mm), along = 0.0;
     std::vector<std::pair<double, double>> reached;  // of the needed gradient, and the path length there
     for (std::size_t t = 0; t < slopes.size(); ++t) {
@@ -229,23 +229,43 @@ class CentreSearch {
   double deepest_mm_ = 0.0;
 };
 
-Index same_place(const TriangleMesh& mesh, const Vec3& place) {
-  Index out = 0;
-  for (Index v = 1; v < static_cast<Index>(mesh.vertices_mm.size()); ++v) {
-    if ((mesh.vertices_mm[at(v)] - place).squaredNorm() < (mesh.vertices_mm[at(out)] - place).squaredNorm()) out = v;
+/// The vertex nearest to a place; off the boundaries where asked.
+Index nearest_vertex(const EvenSurface& surface, const Vec3& place, bool inside) {
+  Index out = geometry::no_index;
+  double least = hopeless;
+  for (Index v = 0; v < static_cast<Index>(surface.mesh.vertices_mm.size()); ++v) {
+    const double d = (surface.mesh.vertices_mm[at(v)] - place).squaredNorm();
+    if (d >= least || surface.topology.is_boundary_vertex(v) == inside) continue;
+    least = d;
+    out = v;
   }
   return out;
 }
 
+}  // namespace
+
 Result<EvenSurface> coarse_surface(const EvenSurface& surface, int triangles) {
   const double edge_mm = 1.25 * std::sqrt(geometry::area_mm2(surface.mesh) / triangles);
-  CoarseMesh coarse = coarser(surface.mesh, edge_mm, 0.1 * edge_mm);
+  const CoarseMesh coarse = coarser(surface.mesh, edge_mm, 0.1 * edge_mm);
   auto conditioned = condition(coarse.mesh, {.dihedral_max_rad = 0.8, .deviation_max_mm = 0.2 * edge_mm});
   if (!conditioned) return tl::unexpected(conditioned.error());
   return EvenSurface::build(conditioned->mesh);
 }
 
-}  // namespace
+Centre moved_centre(const EvenSurface& from, const Centre& centre, const EvenSurface& to) {
+  if (const Slit* slit = std::get_if<Slit>(&centre)) {
+    return Slit{nearest_vertex(to, from.mesh.vertices_mm[at(slit->from)], true),
+                nearest_vertex(to, from.mesh.vertices_mm[at(slit->to)], true)};
+  }
+  const auto& loop = from.topology.boundary_loops()[at(std::get<Index>(centre))];
+  const Index vertex = nearest_vertex(to, from.mesh.vertices_mm[at(loop.vertices.front())], false);
+  const auto& loops = to.topology.boundary_loops();
+  for (Index l = 1; l < static_cast<Index>(loops.size()); ++l) {
+    const auto& v = loops[at(l)].vertices;
+    if (std::find(v.begin(), v.end(), vertex) != v.end()) return l;
+  }
+  return centre;
+}
 
 Result<Centre> choose_centre(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options,
                              const CentreSearchOptions& search) {
@@ -265,10 +285,7 @@ Result<Centre> choose_centre(const EvenSurface& surface, const IntervalRule& rul
         "surface-too-coarse",
         "no inner vertex has half a path interval of room around it: refine the mesh or lower the scallop");
   }
-  const Slit* slit = std::get_if<Slit>(&best.centre);
-  if (slit == nullptr) return best.centre;
-  return Centre(Slit{same_place(surface.mesh, coarse->mesh.vertices_mm[at(slit->from)]),
-                     same_place(surface.mesh, coarse->mesh.vertices_mm[at(slit->to)])});
+  return moved_centre(*coarse, best.centre, surface);
 }
 
 }  // namespace volute::planner

@@ -23,4 +23,11 @@ struct CentreSearchOptions {
 Result<Centre> choose_centre(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options,
                              const CentreSearchOptions& search = {});
 
+/// The same surface with about so many triangles, its vertices among the old ones. Errors: those of
+/// MeshTopology::build.
+Result<EvenSurface> coarse_surface(const EvenSurface& surface, int triangles);
+
+/// A centre of one mesh of a surface on another mesh of it: nearest vertices, and the loop that runs there.
+Centre moved_centre(const EvenSurface& from, const Centre& centre, const EvenSurface& to);
+
 }  // namespace volute::planner

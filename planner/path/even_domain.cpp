@@ -1,12 +1,14 @@
 #include "planner/path/even_domain.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/check.hpp"
 #include "geometry/mesh_measure.hpp"
 #include "planner/path/even_resample.hpp"
 #include "planner/surface/cut.hpp"
 #include "planner/surface/slice_path.hpp"
+#include "planner/surface/sparse_solver.hpp"
 
 namespace volute::planner {
 namespace {
@@ -75,6 +77,44 @@ void assign_loops(const EvenSurface& surface, const Centre& centre, const std::v
   }
 }
 
+/// Harmonic slit map: 0 on the outer loop, 1 on the centre, an unknown constant on each floating hole.
+Result<std::vector<double>> harmonic_of(const EvenDomain& domain) {
+  std::vector<int> unknown(domain.mesh.vertices_mm.size(), -1);
+  int count = 2;  // 0: the outer loop, 1: the centre
+  for (Index v : domain.outer.vertices) unknown[at(v)] = 0;
+  for (Index v : domain.centre.vertices) unknown[at(v)] = 1;
+  for (const BoundaryLoop& loop : domain.floating) {
+    for (Index v : loop.vertices) unknown[at(v)] = count;
+    ++count;
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t v = 0; v < unknown.size(); ++v) {
+    if (unknown[v] < 0) unknown[v] = count++;
+    entries.emplace_back(static_cast<int>(v), unknown[v], 1.0);
+  }
+  SparseMatrix tie(static_cast<Eigen::Index>(unknown.size()), count);
+  tie.setFromTriplets(entries.begin(), entries.end());
+  const std::array<int, 2> fixed = {0, 1};
+  const auto solved = solve_with_fixed(SparseMatrix(tie.transpose() * cotan_laplacian(domain.mesh) * tie), fixed,
+                                       Eigen::Vector2d(0.0, 1.0));
+  if (!solved) return tl::unexpected(solved.error());
+  const Eigen::VectorXd v = tie * *solved;
+  return std::vector<double>(v.data(), v.data() + v.size());
+}
+
+/// theta with its growth gathered into `ramp_share` of the turn outside, harmonic from the middle of the map inward.
+void gather_growth(EvenDomain& domain, double ramp_share) {
+  if (ramp_share >= 1.0) return;
+  for (std::size_t v = 0; v < domain.theta.vertex.size(); ++v) {
+    double& theta = domain.theta.vertex[v];
+    const double whole = std::floor(theta), share = theta - whole;
+    const double x = std::clamp((share - 0.5) / ramp_share + 0.5, 0.0, 1.0);
+    const double gathered = whole + x * x * (3.0 - 2.0 * x);
+    const double outside = std::max(0.0, 1.0 - 2.0 * domain.harmonic[v]);
+    theta += outside * outside * (gathered - theta);
+  }
+}
+
 }  // namespace
 
 Result<EvenSurface> EvenSurface::build(const TriangleMesh& given) {
@@ -86,7 +126,8 @@ Result<EvenSurface> EvenSurface::build(const TriangleMesh& given) {
   return EvenSurface{std::move(mesh), std::move(*topology), std::move(normals), std::move(curvature)};
 }
 
-Result<EvenDomain> even_domain(const EvenSurface& surface, const Centre& centre) {
+Result<EvenDomain> even_domain(const EvenSurface& surface, const Centre& centre, double ramp_share) {
+  VOLUTE_CHECK(ramp_share > 0.0 && ramp_share <= 1.0, ramp_share);
   Opened opened{surface.mesh, surface.vertex_normals, surface.curvature, {}};
   if (const Slit* slit = std::get_if<Slit>(&centre)) {
     VOLUTE_CHECK(slit->from != slit->to, slit->from);
@@ -111,6 +152,10 @@ Result<EvenDomain> even_domain(const EvenSurface& surface, const Centre& centre)
   auto theta = periodic_harmonic(out.mesh, out.topology, *seam);
   if (!theta) return tl::unexpected(theta.error());
   out.theta = std::move(*theta);
+  auto harmonic = harmonic_of(out);
+  if (!harmonic) return tl::unexpected(harmonic.error());
+  out.harmonic = std::move(*harmonic);
+  gather_growth(out, ramp_share);
   return out;
 }
 

@@ -40,6 +40,7 @@ struct EvenDomain {
   std::vector<TriangleOperator> operators;
   geometry::BoundaryLoop outer, centre;
   std::vector<geometry::BoundaryLoop> floating;  ///< the other holes: level sets of the field, no path ends there
+  std::vector<double> harmonic;                  ///< 0 outside, 1 at the centre, constant on floating holes (no flux)
   PeriodicCoordinate theta;                      ///< once around, counter-clockwise positive
   std::vector<Vec3> slit_P;                      ///< the slit as a polyline; empty when the centre is a hole
 
@@ -48,9 +49,12 @@ struct EvenDomain {
   }
 };
 
-/// Errors (bad_input): surface-slit-short (its ends are neighbours), surface-no-path where a slit or seam cannot be
-/// laid, those of MeshTopology::build, and matrix-not-positive-definite where a mesh is too thin for theta. Requires: a
-/// boundary; slit vertices inside and distinct.
-Result<EvenDomain> even_domain(const EvenSurface& surface, const Centre& centre);
+/// `ramp_share`: the share of a turn over which theta grows on the outer boundary, 1: all of it (harmonic theta). Where
+/// theta stands still the path keeps its distance from the boundary, so that the wedge between the boundary and the
+/// first turn, and the part of the boundary that must be run along, shrink to this share; inward theta becomes harmonic
+/// again. Errors (bad_input): surface-slit-short (its ends are neighbours), surface-no-path where a slit or seam cannot
+/// be laid, those of MeshTopology::build, and matrix-not-positive-definite where a mesh is too thin for theta.
+/// Requires: a boundary; slit vertices inside and distinct; 0 < ramp_share <= 1.
+Result<EvenDomain> even_domain(const EvenSurface& surface, const Centre& centre, double ramp_share = 1.0);
 
 }  // namespace volute::planner

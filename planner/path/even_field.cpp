@@ -130,30 +130,6 @@ SparseMatrix EvenFieldSolver::reduction() const {
   return out;
 }
 
-Result<void> EvenFieldSolver::solve_harmonic() {
-  // Floating holes are tied here even where their levels are held: the harmonic map is about shape, not about levels.
-  std::vector<Eigen::Triplet<double>> entries;
-  int count = centre_unknown_ + 1;
-  for (std::size_t v = 0; v < unknown_.size(); ++v) {
-    if (unknown_[v] >= 0 && unknown_[v] <= centre_unknown_) entries.emplace_back(static_cast<int>(v), unknown_[v], 1.0);
-  }
-  for (const auto& loop : domain_->floating) {
-    for (Index v : loop.vertices) entries.emplace_back(v, count, 1.0);
-    ++count;
-  }
-  SparseMatrix tie(static_cast<Eigen::Index>(unknown_.size()), count);
-  tie.setFromTriplets(entries.begin(), entries.end());
-  const SparseMatrix reduced = tie.transpose() * cotan_laplacian(domain_->mesh) * tie;
-  const std::array<int, 1> fixed = {centre_unknown_};
-  const auto solved = solve_with_fixed(reduced, fixed, Eigen::MatrixXd::Ones(1, 1));
-  if (!solved) return tl::unexpected(solved.error());
-  const Eigen::VectorXd v = tie * *solved;
-  harmonic_.assign(v.data(), v.data() + v.size());
-  harmonic_direction_ = gradient(domain_->mesh, domain_->operators, harmonic_);
-  for (Vec2& d : harmonic_direction_) d = unit_or(d, Vec2(1.0, 0.0));
-  return {};
-}
-
 Result<void> EvenFieldSolver::assemble() {
   const EvenDomain& domain = *domain_;
   std::vector<double> usual_per_mm(domain.mesh.triangles.size());
@@ -162,7 +138,11 @@ Result<void> EvenFieldSolver::assemble() {
     usual_per_mm[t] = 1.0 / rule_.interval_mm(0.5 * domain.curvature[t].trace());
     weight_.push_back(options_.step / usual_per_mm[t]);
     hat_per_mm_.push_back(domain.operators[t].hat_per_mm);
+    const auto corner = [&](int k) { return domain.theta.at_corner(domain.mesh, static_cast<Index>(t), k); };
+    theta_slope_.push_back(domain.operators[t].gradient(corner(0), corner(1), corner(2)));
   }
+  harmonic_direction_ = gradient(domain.mesh, domain.operators, domain.harmonic);
+  for (Vec2& d : harmonic_direction_) d = unit_or(d, Vec2(1.0, 0.0));
   const double usual = median(usual_per_mm);
   const double bend = options_.bend / (usual * usual * usual);
   const auto areas = vertex_areas_mm2(domain.mesh);
@@ -172,15 +152,21 @@ Result<void> EvenFieldSolver::assemble() {
       inner[static_cast<Eigen::Index>(v)] = bend / areas[v];
   }
   const SparseMatrix reduce = reduction();
-  const SparseMatrix laplacian = cotan_laplacian(domain.mesh);
+  const SparseMatrix laplacian = cotan_laplacian(domain.mesh), weighted = cotan_laplacian(domain.mesh, weight_);
   const SparseMatrix reduced = laplacian * reduce;
-  const Eigen::Map<const Eigen::VectorXd> held(held_.data(), static_cast<Eigen::Index>(held_.size()));
-  const SparseMatrix weighted = cotan_laplacian(domain.mesh, weight_);
   SparseMatrix matrix = reduce.transpose() * weighted * reduce;
   matrix += SparseMatrix(reduced.transpose() * inner.asDiagonal() * reduced);
   matrix.makeCompressed();
-  constant_load_ = -(reduced.transpose() * (inner.asDiagonal() * Eigen::VectorXd(laplacian * held))) -
-                   reduce.transpose() * Eigen::VectorXd(weighted * held);
+  // What the held values and theta put on the right side: the unknowns make phi - theta - held.
+  const auto as_vector = [](const std::vector<double>& v) {
+    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())));
+  };
+  std::vector<Vec2> weighted_slope(theta_slope_);
+  for (std::size_t t = 0; t < weighted_slope.size(); ++t) weighted_slope[t] *= weight_[t];
+  const Eigen::VectorXd held = as_vector(held_);
+  const Eigen::VectorXd bent = as_vector(divergence(domain.mesh, domain.operators, theta_slope_)) - laplacian * held;
+  const Eigen::VectorXd grown = as_vector(divergence(domain.mesh, domain.operators, weighted_slope)) - weighted * held;
+  constant_load_ = reduced.transpose() * Eigen::VectorXd(inner.asDiagonal() * bent) + reduce.transpose() * grown;
   auto solver = SparseSolver::factor(matrix);
   if (!solver) return tl::unexpected(solver.error());
   solver_ = std::move(*solver);
@@ -193,14 +179,13 @@ Result<EvenFieldSolver> EvenFieldSolver::build(const EvenDomain& domain, const I
   VOLUTE_CHECK(!float_levels || float_levels->size() == domain.floating.size(), domain.floating.size());
   EvenFieldSolver out(domain, rule, options);
   out.number_unknowns(float_levels);
-  if (auto done = out.solve_harmonic(); !done) return tl::unexpected(done.error());
   if (auto done = out.assemble(); !done) return tl::unexpected(done.error());
   return out;
 }
 
 EvenField EvenFieldSolver::start() const {
   const EvenDomain& domain = *domain_;
-  const auto slopes = gradient(domain.mesh, domain.operators, harmonic_);
+  const auto slopes = gradient(domain.mesh, domain.operators, domain.harmonic);
   const std::vector<double> ones(slopes.size(), 1.0);
   std::vector<double> slope_needed = needed_gradient(harmonic_direction_, ones), weight(slopes.size());
   for (std::size_t t = 0; t < slopes.size(); ++t) {
@@ -209,7 +194,7 @@ EvenField EvenFieldSolver::start() const {
     weight[t] = domain.operators[t].area_mm2 * slope;
   }
   EvenField field;
-  field.phi = stretched(domain, harmonic_, slope_needed, weight, 0.99);
+  field.phi = stretched(domain, domain.harmonic, slope_needed, weight, 0.99);
   field.turns = field.phi[at(domain.centre.vertices.front())];
   field.dual.assign(slopes.size(), Vec2::Zero());
   field.direction = gradient(domain.mesh, domain.operators, field.phi);
@@ -290,6 +275,12 @@ void EvenFieldSolver::turn_directions(EvenField& field, std::span<const Vec2> gr
   });
 }
 
+std::vector<Vec2> EvenFieldSolver::slopes(const EvenField& field) const {
+  std::vector<Vec2> out = gradient(domain_->mesh, domain_->operators, field.phi);
+  for (std::size_t t = 0; t < out.size(); ++t) out[t] -= theta_slope_[t];
+  return out;
+}
+
 Eigen::VectorXd EvenFieldSolver::step(EvenField& field, std::span<const double> needed,
                                       std::vector<double>& corner_load) const {
   const EvenDomain& domain = *domain_;
@@ -297,7 +288,7 @@ Eigen::VectorXd EvenFieldSolver::step(EvenField& field, std::span<const double> 
     const auto& c = domain.mesh.triangles[t];
     const auto& hat = hat_per_mm_[t];
     const Vec2 slope = field.phi[at(c[0])] * hat[0] + field.phi[at(c[1])] * hat[1] + field.phi[at(c[2])] * hat[2];
-    const Vec2 z = slope + field.dual[t];
+    const Vec2 z = slope - theta_slope_[t] + field.dual[t];
     const Vec2 q = nearest_allowed(z, field.direction[t], needed[t], options_.excess, weight_[t]);
     // The dual of the last step, its q taken off; the slope that the coming solve gives is added in the next step.
     const Vec2 flux = (q - field.dual[t]) * (weight_[t] * domain.operators[t].area_mm2);
@@ -323,10 +314,11 @@ void EvenFieldSolver::improve(EvenField& field, std::span<const double> gain, in
       for_each_index(triangles, [&](std::size_t t) {
         const auto& c = domain.mesh.triangles[t];
         const auto& hat = hat_per_mm_[t];
-        field.dual[t] += field.phi[at(c[0])] * hat[0] + field.phi[at(c[1])] * hat[1] + field.phi[at(c[2])] * hat[2];
+        field.dual[t] += field.phi[at(c[0])] * hat[0] + field.phi[at(c[1])] * hat[1] + field.phi[at(c[2])] * hat[2] -
+                         theta_slope_[t];
       });
     }
-    turn_directions(field, gradient(domain.mesh, domain.operators, field.phi));
+    turn_directions(field, slopes(field));
   }
   field.turns = unknowns[centre_unknown_];
   field.float_levels.clear();

@@ -13,11 +13,11 @@ namespace volute::planner {
 
 /// Weights of the field's optimisation. The defaults hold for every part; they are dimensionless.
 struct EvenFieldOptions {
-  double bend = 5.0;         ///< cost of |Laplacian|^2: higher gives rounder turns at the holes, and a longer path
+  double bend = 2.0;         ///< cost of |Laplacian|^2: higher gives rounder turns at the holes, and a longer path
   double excess = 0.05;      ///< mu: cost of (|q| L)^2 beside |q| L; a little keeps the optimum unique
-  double step = 2.0;         ///< rho of ADMM: speed only
+  double step = 20.0;        ///< rho of ADMM: speed only
   double cone_rad = 1.2;     ///< the gradient stays this near the harmonic one: no critical points
-  int direction_rounds = 4;  ///< averages of the direction over neighbours, per update
+  int direction_rounds = 2;  ///< averages of the direction over neighbours, per update
 };
 
 /// The field and what the optimisation goes on from.
@@ -30,8 +30,8 @@ struct EvenField {
 };
 
 /// The optimisation on one domain: one factorisation, any number of improvements.
-/// Minimises sum A (|q| + mu |q|^2 / 2 g) + bend |Laplacian phi|^2 over q = grad phi with q . d >= g = gain / L(d):
-/// planner.md's field, by ADMM with the closed form in each triangle.
+/// Minimises sum A (|q| + mu |q|^2 / 2 g) + bend |Laplacian (phi - theta)|^2 over q = grad (phi - theta), which the
+/// path runs across, with q . d >= g = gain / L(d), by ADMM with the closed form in each triangle.
 class EvenFieldSolver {
  public:
   /// `float_levels`: the value of phi - theta held on each floating hole; nothing: constant there, but free.
@@ -47,11 +47,13 @@ class EvenFieldSolver {
   /// The same bytes on any number of threads.
   void improve(EvenField& field, std::span<const double> gain, int outer, int inner) const;
 
+  /// Gradient of phi - theta in each triangle: the path runs across it, one over its length is the interval.
+  [[nodiscard]] std::vector<Vec2> slopes(const EvenField& field) const;
+
  private:
   EvenFieldSolver(const EvenDomain& domain, const IntervalRule& rule, const EvenFieldOptions& options);
   void number_unknowns(const std::optional<std::vector<double>>& float_levels);
   [[nodiscard]] SparseMatrix reduction() const;
-  Result<void> solve_harmonic();
   Result<void> assemble();
   [[nodiscard]] std::vector<double> values(const Eigen::VectorXd& unknowns) const;
   [[nodiscard]] Eigen::VectorXd load(std::span<const double> corner_load) const;
@@ -71,8 +73,7 @@ class EvenFieldSolver {
   int unknown_count_ = 0, centre_unknown_ = 0;
   std::vector<std::array<Vec2, 3>> hat_per_mm_;  ///< as in the domain's operators, packed
   std::vector<double> weight_;                   ///< per triangle: rho times the interval at the mean curvature
-  std::vector<double> harmonic_;                 ///< 0 outside, 1 at the centre
-  std::vector<Vec2> harmonic_direction_;
+  std::vector<Vec2> harmonic_direction_, theta_slope_;
   Eigen::VectorXd constant_load_;
   std::optional<SparseSolver> solver_;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/number_text.hpp"
+#include "planner/path/even_prolong.hpp"
 #include "planner/path/point_grid.hpp"
 
 namespace volute::planner {
@@ -84,28 +85,31 @@ EvenRound trace_round(const EvenDomain& domain, const IntervalRule& rule, const 
 
 }  // namespace
 
-Result<EvenRound> even_rounds(const EvenDomain& domain, const IntervalRule& rule, const EvenLoopOptions& options) {
-  auto solver = EvenFieldSolver::build(domain, rule, options.field, std::nullopt);
+Result<EvenField> first_field(const EvenDomain& domain, const IntervalRule& rule, const EvenLoopOptions& options) {
+  const auto solver = EvenFieldSolver::build(domain, rule, options.field, std::nullopt);
+  if (!solver) return tl::unexpected(solver.error());
+  EvenField field = solver->start();
+  const std::vector<double> gain(domain.mesh.triangles.size(), 1.0);
+  solver->improve(field, gain, options.first_outer, options.first_inner);
+  return field;
+}
+
+Result<EvenRound> even_rounds(EvenDomain& domain, EvenField field, const IntervalRule& rule,
+                              const EvenLoopOptions& options) {
+  const auto levels = settled_levels(domain, field);
+  const auto solver = EvenFieldSolver::build(domain, rule, options.field, levels);
   if (!solver) return tl::unexpected(solver.error());
   std::vector<double> gain(domain.mesh.triangles.size(), 1.0), worst;
-  EvenField field = solver->start();
-  solver->improve(field, gain, options.outer, options.inner);
-  if (!domain.floating.empty()) {
-    std::vector<double> levels;
-    for (double level : field.float_levels) levels.push_back(std::round(level));
-    solver = EvenFieldSolver::build(domain, rule, options.field, levels);
-    if (!solver) return tl::unexpected(solver.error());
-    solver->improve(field, gain, 3, options.inner);
-  }
+  solver->improve(field, gain, options.settle_outer, options.settle_inner);
   std::optional<EvenRound> best;
   const double reach_mm = 0.7 * rule.interval_mm(0.0);
   for (int r = 0; r <= options.rounds; ++r) {
     EvenRound round = trace_round(domain, rule, field, worst);
     if (!best || better(round, *best)) best = std::move(round);
-    if (r == options.rounds) break;
+    if (r == options.rounds || (best->path.pieces == 1 && fault(*best) == 0.0)) break;
     const auto step = correction(domain, worst, reach_mm, options.gain_step_max);
     for (std::size_t t = 0; t < gain.size(); ++t) gain[t] = std::min(gain[t] * step[t], options.gain_max);
-    solver->improve(field, gain, 3, options.inner);
+    solver->improve(field, gain, options.round_outer, options.round_inner);
   }
   if (best->path.pieces != 1) {
     return geometry::bad_input("path-even-broken",

@@ -13,9 +13,11 @@ namespace volute::planner {
 
 struct EvenLoopOptions {
   EvenFieldOptions field;
-  int outer = 6, inner = 30;   ///< of the first field; each is one direction update and its ADMM steps
-  int rounds = 4;              ///< corrections from the scallop map
-  double gain_step_max = 1.3;  ///< of one correction
+  int first_outer = 14, first_inner = 25;   ///< of the first field: direction updates, and ADMM steps after each
+  int settle_outer = 3, settle_inner = 15;  ///< after levels are held, or on the fine mesh
+  int round_outer = 1, round_inner = 15;    ///< after each correction
+  int rounds = 5;                           ///< corrections from the scallop map, at the most
+  double gain_step_max = 1.3;               ///< of one correction
   double gain_max = 3.0;
 };
 
@@ -27,7 +29,12 @@ struct EvenRound {
   double length_mm = 0.0;
 };
 
-/// Errors (bad_input): path-even-broken when no round holds one piece; as SparseSolver::factor.
-Result<EvenRound> even_rounds(const EvenDomain& domain, const IntervalRule& rule, const EvenLoopOptions& options);
+/// The first field, its floating holes free. Errors: as SparseSolver::factor.
+Result<EvenField> first_field(const EvenDomain& domain, const IntervalRule& rule, const EvenLoopOptions& options);
+
+/// Goes on from `field`: holds the floating holes midway between path levels (theta is turned for that), traces,
+/// measures, corrects. Errors (bad_input): path-even-broken when no round holds one piece; as SparseSolver::factor.
+Result<EvenRound> even_rounds(EvenDomain& domain, EvenField field, const IntervalRule& rule,
+                              const EvenLoopOptions& options);
 
 }  // namespace volute::planner

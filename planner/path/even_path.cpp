@@ -24,6 +24,8 @@ Vec3 vector_at(const std::vector<Vec3>& values, const SurfacePoint& p) {
 /// The outer boundary backwards from `start` until theta has fallen by half a turn, in the order in which the tool
 /// runs.
 std::vector<EvenPathPoint> boundary_half_turn(const EvenDomain& domain, const SurfacePoint& start) {
+  constexpr double half_turn =
+      0.49;  // where theta stands still (gathered growth) the half itself might never be passed
   const auto& loop = domain.outer.vertices;
   const std::size_t n = loop.size();
   std::size_t i = 0;
@@ -36,9 +38,9 @@ std::vector<EvenPathPoint> boundary_half_turn(const EvenDomain& domain, const Su
     const Index v = loop[(i + n - step) % n];
     // Neighbouring vertices differ by far less than a turn: the whole turns between them are the seam's.
     const double change = std::remainder(domain.theta.vertex[at(v)] - theta, 1.0);
-    if (fallen - change >= 0.5) {
+    if (fallen - change >= half_turn) {
       if (previous != geometry::no_index) {
-        back.push_back({{previous, v, std::clamp((0.5 - fallen) / -change, 1e-7, 1.0 - 1e-7)}, 0.0});
+        back.push_back({{previous, v, std::clamp((half_turn - fallen) / -change, 1e-7, 1.0 - 1e-7)}, 0.0});
       }
       break;
     }

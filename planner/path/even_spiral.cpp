@@ -1,5 +1,6 @@
 #include "planner/path/even_spiral.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,6 +8,7 @@
 #include "planner/path/even_centre.hpp"
 #include "planner/path/even_loop.hpp"
 #include "planner/path/even_measure.hpp"
+#include "planner/path/even_prolong.hpp"
 #include "planner/surface/condition.hpp"
 
 namespace volute::planner {
@@ -44,6 +46,41 @@ PathReport report_of(const EvenRound& round, const IntervalField& interval, cons
   return report;
 }
 
+/// Share of a turn in which the outer boundary's wedge is bridged: the path may leave it at a slope of 1 in 15.
+double ramp_share_of(const EvenSurface& surface, const IntervalRule& rule) {
+  const double share = 15.0 * rule.interval_mm(0.0) / surface.topology.boundary_loops().front().length_mm;
+  return share < 0.8 ? std::max(share, 0.15) : 1.0;
+}
+
+struct Planned {
+  EvenDomain domain;
+  EvenRound round;
+};
+
+/// Centre and first field on a coarse mesh where there is much to save, the rest on the mesh itself.
+Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options) {
+  constexpr int coarse_triangles = 5000;
+  const EvenLoopOptions loop;
+  const double ramp_share = ramp_share_of(surface, rule);
+  const auto coarse = coarse_surface(surface, coarse_triangles);
+  if (!coarse) return tl::unexpected(coarse.error());
+  PathOptions on_coarse = options;
+  if (options.centre_loop > 0 && options.centre_loop < static_cast<int>(surface.topology.boundary_loops().size())) {
+    on_coarse.centre_loop = std::get<Index>(moved_centre(surface, Index{options.centre_loop}, *coarse));
+  }
+  const auto centre = choose_centre(*coarse, rule, on_coarse);
+  if (!centre) return tl::unexpected(centre.error());
+  const auto coarse_domain = even_domain(*coarse, *centre, ramp_share);
+  if (!coarse_domain) return tl::unexpected(coarse_domain.error());
+  const auto first = first_field(*coarse_domain, rule, loop);
+  if (!first) return tl::unexpected(first.error());
+  auto domain = even_domain(surface, moved_centre(*coarse, *centre, surface), ramp_share);
+  if (!domain) return tl::unexpected(domain.error());
+  auto round = even_rounds(*domain, prolonged(*coarse_domain, *first, *domain), rule, loop);
+  if (!round) return tl::unexpected(round.error());
+  return Planned{std::move(*domain), std::move(*round)};
+}
+
 }  // namespace
 
 Result<CcPathResult> plan_even_spiral(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
@@ -53,20 +90,17 @@ Result<CcPathResult> plan_even_spiral(const geometry::TriangleMesh& surface, con
   const auto prepared = EvenSurface::build(conditioned->mesh);
   if (!prepared) return tl::unexpected(prepared.error());
   const IntervalField interval(prepared->mesh, interval_rule(cutter, options.scallop_mm, orientation));
-  const auto centre = choose_centre(*prepared, interval.rule(), options);
-  if (!centre) return tl::unexpected(centre.error());
-  const auto domain = even_domain(*prepared, *centre);
-  if (!domain) return tl::unexpected(domain.error());
-  auto round = even_rounds(*domain, interval.rule(), EvenLoopOptions{});
-  if (!round) return tl::unexpected(round.error());
+  auto planned = planned_round(*prepared, interval.rule(), options);
+  if (!planned) return tl::unexpected(planned.error());
+  auto& [domain, round] = *planned;
 
   CcPathResult out;
   out.surface.triangles = static_cast<int>(surface.triangles.size());
   out.surface.boundary_loops = static_cast<int>(prepared->topology.boundary_loops().size());
   out.surface.area_mm2 = geometry::area_mm2(surface);
-  out.report = report_of(*round, interval, options);
-  out.map = drawing_of(*domain, round->field);
-  out.path = std::move(round->cc);
+  out.report = report_of(round, interval, options);
+  out.map = drawing_of(domain, round.field);
+  out.path = std::move(round.cc);
   return out;
 }
 

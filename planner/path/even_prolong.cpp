@@ -1,0 +1,114 @@
+#include "planner/path/even_prolong.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planner/path/point_grid.hpp"
+
+namespace volute::planner {
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+struct Found {
+  Index triangle = geometry::no_index;
+  Vec3 weight = Vec3::Zero();  ///< barycentric
+};
+
+/// Barycentric coordinates of the nearest point of the triangle, by projection and clamping; exact inside, near enough
+/// outside.
+Vec3 clamped_weight(const TriangleMesh& mesh, const TriangleOperator& o, Index triangle, const Vec3& place) {
+  const auto& c = mesh.triangles[at(triangle)];
+  Vec3 w;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3& other = mesh.vertices_mm[at(c[(k + 1) % 3])];
+    w[static_cast<Eigen::Index>(k)] = std::clamp(o.hat_per_mm[k].dot(o.to_plane(place - other)), 0.0, 1.0);
+  }
+  return w / w.sum();
+}
+
+Found find(const EvenDomain& domain, const PointGrid& middles, double reach_mm, const Vec3& place) {
+  Found out;
+  double least = std::numeric_limits<double>::infinity();
+  for (; out.triangle == geometry::no_index; reach_mm *= 2.0) {
+    middles.near(place, reach_mm, [&](Index t) {
+      const Vec3 w = clamped_weight(domain.mesh, domain.operators[at(t)], t, place);
+      const auto& c = domain.mesh.triangles[at(t)];
+      Vec3 nearest = Vec3::Zero();
+      for (std::size_t k = 0; k < 3; ++k)
+        nearest += w[static_cast<Eigen::Index>(k)] * domain.mesh.vertices_mm[at(c[k])];
+      const double d = (nearest - place).squaredNorm();
+      if (d >= least && !(d == least && t < out.triangle)) return;
+      least = d;
+      out = {t, w};
+    });
+  }
+  return out;
+}
+
+}  // namespace
+
+EvenField prolonged(const EvenDomain& coarse, const EvenField& field, const EvenDomain& fine) {
+  std::vector<Vec3> middles;
+  double area_mm2 = 0.0;
+  for (std::size_t t = 0; t < coarse.mesh.triangles.size(); ++t) {
+    const auto& c = coarse.mesh.triangles[t];
+    middles.push_back(
+        (coarse.mesh.vertices_mm[at(c[0])] + coarse.mesh.vertices_mm[at(c[1])] + coarse.mesh.vertices_mm[at(c[2])]) /
+        3.0);
+    area_mm2 += coarse.operators[t].area_mm2;
+  }
+  const double edge_mm = 1.6 * std::sqrt(area_mm2 / static_cast<double>(middles.size()));
+  const PointGrid grid(middles, edge_mm);
+  std::vector<Found> found(fine.mesh.vertices_mm.size());
+  tbb::parallel_for(std::size_t{0}, found.size(),
+                    [&](std::size_t v) { found[v] = find(coarse, grid, edge_mm, fine.mesh.vertices_mm[v]); });
+
+  EvenField out;
+  out.turns = field.turns;
+  for (const Found& f : found) {
+    const auto& c = coarse.mesh.triangles[at(f.triangle)];
+    out.phi.push_back(f.weight[0] * field.phi[at(c[0])] + f.weight[1] * field.phi[at(c[1])] +
+                      f.weight[2] * field.phi[at(c[2])]);
+  }
+  for (Index v : fine.outer.vertices) out.phi[at(v)] = 0.0;
+  for (Index v : fine.centre.vertices) out.phi[at(v)] = field.turns;
+  for (std::size_t t = 0; t < fine.mesh.triangles.size(); ++t) {
+    Vec3 direction = Vec3::Zero(), dual = Vec3::Zero();
+    for (Index v : fine.mesh.triangles[t]) {
+      const auto from = at(found[at(v)].triangle);
+      direction += coarse.operators[from].to_space(field.direction[from]);
+      dual += coarse.operators[from].to_space(field.dual[from]) / 3.0;
+    }
+    const Vec2 plane = fine.operators[t].to_plane(direction);
+    out.direction.push_back(plane.norm() > 1e-9 ? Vec2(plane.normalized()) : Vec2(1.0, 0.0));
+    out.dual.push_back(fine.operators[t].to_plane(dual));
+  }
+  return out;
+}
+
+std::vector<double> settled_levels(EvenDomain& domain, const EvenField& field) {
+  std::vector<double> level;
+  for (const auto& loop : domain.floating) {
+    double sum = 0.0;
+    for (Index v : loop.vertices) sum += field.phi[at(v)] - domain.theta.vertex[at(v)];
+    level.push_back(sum / static_cast<double>(loop.vertices.size()));
+  }
+  constexpr int shifts = 64;
+  double best_shift = 0.0, least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < shifts && !level.empty(); ++i) {
+    double off = 0.0;
+    for (double l : level) off += std::pow(std::remainder(l - level.front() + static_cast<double>(i) / shifts, 1.0), 2);
+    if (off >= least) continue;
+    least = off;
+    best_shift = level.front() - static_cast<double>(i) / shifts;
+  }
+  for (double& theta : domain.theta.vertex) theta += best_shift;
+  for (double& l : level) l = std::round(l - best_shift);
+  return level;
+}
+
+}  // namespace volute::planner

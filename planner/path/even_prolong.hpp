@@ -1,0 +1,18 @@
+// A field found on a coarse mesh as the start on a fine one.
+#pragma once
+
+#include "planner/path/even_domain.hpp"
+#include "planner/path/even_field.hpp"
+
+namespace volute::planner {
+
+/// Each fine vertex takes phi from the nearest point of the nearest coarse triangle, each fine triangle direction and
+/// dual from the triangles nearest to its corners. Float levels are not carried over: theta is another on another mesh.
+/// Requires: two domains of one surface with the same centre. Deterministic.
+EvenField prolonged(const EvenDomain& coarse, const EvenField& field, const EvenDomain& fine);
+
+/// Turns theta by a constant so that phi - theta on the floating holes comes nearest to whole numbers, where path
+/// levels stand midway, and returns those whole numbers.
+std::vector<double> settled_levels(EvenDomain& domain, const EvenField& field);
+
+}  // namespace volute::planner
