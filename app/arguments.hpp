@@ -38,12 +38,13 @@ struct SimulateArguments {
   path out;
 };
 struct CompareArguments { path job; std::vector<std::string> strategies; path out; };
+struct FieldArguments { path job, out; };
 struct InspectArguments { std::vector<path> parts; double unit_mm = 1.0; };
 struct MachinesArguments { std::string name; };
 struct RenderArguments { path folder; };
 
 using CommandArguments = std::variant<RunArguments, PlanArguments, PostArguments, SimulateArguments, CompareArguments,
-                                      InspectArguments, MachinesArguments, RenderArguments>;
+                                      FieldArguments, InspectArguments, MachinesArguments, RenderArguments>;
 
 struct CommandLine {
   CommonArguments common;

@@ -30,6 +30,7 @@ struct Places {
   PostArguments post;
   SimulateArguments simulate;
   CompareArguments compare;
+  FieldArguments field;
   InspectArguments inspect;
   MachinesArguments machines;
   RenderArguments render;
@@ -63,6 +64,8 @@ void add_job_commands(CLI::App& app, Places& places) {
   compare->add_option("--strategies", places.compare.strategies,
                       "Comma separated: spiral,contour-parallel,projected-spiral,contour-offset,iso-planar")
       ->delimiter(',');
+  CLI::App* field = add_command(app, places.common, "field", "Orientation field from key axes ([Huang2016])");
+  add_job_command(field, places.field.job, places.field.out, out_text);
 }
 
 void add_program_commands(CLI::App& app, Places& places) {
@@ -107,6 +110,7 @@ CommandArguments chosen(const CLI::App& app, const Places& places) {
   if (name == "post") return places.post;
   if (name == "simulate") return places.simulate;
   if (name == "compare") return places.compare;
+  if (name == "field") return places.field;
   if (name == "inspect") return places.inspect;
   if (name == "machines") return places.machines;
   return places.render;

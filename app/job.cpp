@@ -34,6 +34,7 @@ class JobReader {
     read_scene();
     read_path();
     read_orientation();
+    read_field();
     read_process();
     read_machine();
     if (reader_.error()) return tl::unexpected(*reader_.error());
@@ -210,6 +211,22 @@ class JobReader {
   }
 
   std::vector<planner::KeyOrientation>& options_keys() { return job_.orientation.keys; }
+
+  void read_field() {
+    using planner::BasisKind, planner::FieldPlacement;
+    const toml::table& field = reader_.optional_table(root(), "", "field");
+    reader_.only_keys(field, "field", {"basis", "a", "beta", "order", "placement", "spline", "u_intervals", "v_intervals"});
+    constexpr std::array kinds{BasisKind::inverse_multiquadric, BasisKind::gaussian, BasisKind::half_open};
+    job_.field.basis.kind = kinds[reader_.choice(field, "field", "basis", {"inverse-multiquadric", "gaussian", "half-open"}, 0)];
+    if (field.contains("a")) job_.field.basis.a = reader_.positive(field, "field", "a");
+    job_.field.basis.beta = reader_.positive(field, "field", "beta", 1.0);
+    job_.field.basis.order = reader_.integer(field, "field", "order", 2, 1, 12);
+    constexpr std::array placements{FieldPlacement::straight, FieldPlacement::box, FieldPlacement::cylinder};
+    job_.field.placement = placements[reader_.choice(field, "field", "placement", {"straight", "box", "cylinder"}, 0)];
+    job_.field.spline = reader_.boolean(field, "field", "spline", false);
+    job_.field.u_intervals = reader_.integer(field, "field", "u_intervals", 30, 3, 2000);
+    job_.field.v_intervals = reader_.integer(field, "field", "v_intervals", 10, 4, 2000);
+  }
 
   void read_process() {
     const toml::table& process = reader_.table(root(), "", "process");

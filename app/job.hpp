@@ -7,6 +7,7 @@
 
 #include "geometry/mesh_io.hpp"
 #include "kinematics/model/control.hpp"
+#include "planner/field/field_options.hpp"
 #include "planner/options.hpp"
 
 namespace volute::app {
@@ -22,6 +23,7 @@ struct Job {
   planner::PathOptions path;
   planner::OrientationOptions orientation;
   planner::ProcessOptions process;
+  planner::FieldOptions field;
   double spindle_rpm = 5000.0;
   bool coolant = true;
   std::string profile;                            ///< name or path as written

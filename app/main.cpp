@@ -20,6 +20,7 @@ struct Dispatch {
   int operator()(const PostArguments& a) const { return post_command(a, context); }
   int operator()(const SimulateArguments& a) const { return simulate_command(a, context); }
   int operator()(const CompareArguments& a) const { return compare_command(a, context); }
+  int operator()(const FieldArguments& a) const { return field_command(a, context); }
   int operator()(const InspectArguments& a) const { return inspect_command(a, context); }
   int operator()(const MachinesArguments& a) const { return machines_command(a, context); }
   int operator()(const RenderArguments& a) const { return render_command(a, context); }
