@@ -1,6 +1,7 @@
 // Properties that hold for every file in machines/.
 #include <gmock/gmock.h>
 
+#include "geometry/number_text.hpp"
 #include "kinematics/inverse/inverse.hpp"
 #include "tests/kinematics/machine_fixture.hpp"
 
@@ -38,7 +39,8 @@ class EveryMachine : public ::testing::TestWithParam<std::string> {
   }
 
   void expect_small_errors() {
-    RecordProperty("tip_error_mm", std::to_string(tip_error_mm));
+    RecordProperty("tip_error_mm", geometry::shortest_text(tip_error_mm));
+    RecordProperty("axis_error_rad", geometry::shortest_text(axis_error_rad));
     EXPECT_LT(tip_error_mm, 1e-9) << "seed " << testing::seed;
     EXPECT_LT(axis_error_rad, 1e-12) << "seed " << testing::seed;
   }

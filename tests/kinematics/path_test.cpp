@@ -183,6 +183,41 @@ TEST(Path, ARunAtThePoleSpreadsTheTurnOfC) {
     EXPECT_LT(std::abs(points[i].q[4] - points[i - 1].q[4]), 0.5 * pi / 30 + 0.01) << i;
 }
 
+TEST(Path, ChangesBranchOffThePartWhereTravelEnds) {
+  // C reaches 100 degrees to either side: one branch serves 200 degrees of a ring, the other branch the rest.
+  Machine machine = testing::machine_named("ac-head");
+  machine.axes[4].travel_min = geometry::Angle::degrees(-100.0).radians();
+  machine.axes[4].travel_max = geometry::Angle::degrees(100.0).radians();
+  const AxisPathResult result = solved(machine, circles(1, 72, 0.4));
+  EXPECT_GE(result.report.rewinds, 1);
+  EXPECT_LE(result.report.rewinds, 2);
+  std::vector<int> visited(73, 0);
+  for (const AxisPathPoint& point : result.path.points) {
+    EXPECT_GE(point.q[4], *machine.axes[4].travel_min - 1e-12);
+    EXPECT_LE(point.q[4], *machine.axes[4].travel_max + 1e-12);
+    EXPECT_LT(tip_error(machine, point), 1e-9);
+    EXPECT_LT(axis_error(machine, point), 1e-9);
+    if (point.source >= 0) visited[static_cast<std::size_t>(point.source)]++;
+  }
+  for (const int count : visited) EXPECT_GE(count, 1) << "no point of the path may be lost";
+  for (std::size_t i = 1; i < result.path.points.size(); ++i) {
+    const AxisPathPoint &from = result.path.points[i - 1], &to = result.path.points[i];
+    if (!to.machine_move && !from.machine_move) {
+      EXPECT_LT(std::abs(to.q[3] - from.q[3]), 0.1) << "A changes its sign only over the top";
+    }
+  }
+}
+
+TEST(Path, AJumpInTheAirMayChangeBranchFreely) {
+  const Machine machine = testing::machine_named("ac-head");
+  ToolPath path;
+  path.points = {cut_at({0, 0, 0}, {0.3, 0, 1}), cut_at({5, 0, 0}, {0.3, 0, 1}), cut_at({5, 0, 50}, {-0.3, 0, 1}),
+                 cut_at({0, 0, 0}, {-0.3, 0, 1})};
+  path.points[2].move = MoveKind::rapid;
+  const AxisPathResult result = solved(machine, path);
+  EXPECT_EQ(result.report.rewinds, 0);
+}
+
 TEST(Path, OutOfTravelIsRefusedWithTheReason) {
   const Machine machine = testing::machine_named("xyzbc-table");
   ToolPath path;
