@@ -40,50 +40,50 @@ std::vector<EvenPathPoint> boundary_half_turn(const EvenDomain& domain, const Su
     const double change = std::remainder(domain.theta.vertex[at(v)] - theta, 1.0);
     if (fallen - change >= half_turn) {
       if (previous != geometry::no_index) {
-        back.push_back({{previous, v, std::clamp((half_turn - fallen) / -change, 1e-7, 1.0 - 1e-7)}, 0.0});
+        back.push_back({{previous, v, std::clamp((half_turn - fallen) / -change, 1e-7, 1.0 - 1e-7)}, 0.0, {}, 0.0});
       }
       break;
     }
     fallen -= change;
     theta = domain.theta.vertex[at(v)];
     previous = v;
-    back.push_back({SurfacePoint::vertex(v), 0.0});
+    back.push_back({SurfacePoint::vertex(v), 0.0, {}, 0.0});
   }
   std::reverse(back.begin(), back.end());
   return back;
 }
 
-/// A closed line turned so that it begins next to `from` and its first step goes on in `direction`.
-std::vector<EvenPathPoint> loop_from(const EvenDomain& domain, const LevelLine& line, const Vec3& from,
-                                     const Vec3& direction, double turn) {
-  const std::size_t n = line.points.size();
-  std::size_t nearest = 0;
-  double least = 1e300;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double d = (position_mm(domain.mesh, line.points[i]) - from).squaredNorm();
-    if (d < least) {
-      least = d;
-      nearest = i;
-    }
-  }
-  const Vec3 ahead =
-      position_mm(domain.mesh, line.points[(nearest + 1) % n]) - position_mm(domain.mesh, line.points[nearest]);
-  const bool forward = ahead.dot(direction) >= 0.0;
-  std::vector<EvenPathPoint> out;
-  for (std::size_t step = 0; step <= n; ++step) {
-    out.push_back({line.points[(forward ? nearest + step : nearest + n - step) % n], turn});
-  }
+/// Once around a closed line from `crossing`, a point of the line's segment in `triangle`, back to it. Both lines have
+/// greater values on their left, so the direction is that of the spiral. Empty where the line does not pass the
+/// triangle.
+std::vector<EvenPathPoint> once_around(const LevelLine& line, Index triangle, const EvenPathPoint& crossing) {
+  const auto found = std::find(line.triangles.begin(), line.triangles.end(), triangle);
+  if (found == line.triangles.end()) return {};
+  const std::size_t n = line.points.size(), segment = static_cast<std::size_t>(found - line.triangles.begin());
+  std::vector<EvenPathPoint> out = {crossing};
+  for (std::size_t step = 1; step <= n; ++step)
+    out.push_back({line.points[(segment + step) % n], crossing.turn, {}, 0.0});
+  out.push_back(crossing);
   return out;
 }
 
-/// The longest closed line of phi = turn that runs around the centre.
-const LevelLine* closing_line(const std::vector<LevelLine>& lines, const EvenDomain& domain, const EvenField& field,
-                              double turn) {
-  for (const LevelLine& line : lines) {
-    if (line.closed && std::abs(value_at(field.phi, line.points.front()) - turn) < 0.25) return &line;
+/// The spiral cut off where phi first passes `last_turn`, then once around the line of that turn.
+void append_spiral(const EvenDomain& domain, const EvenField& field, const LevelLine& main, double last_turn,
+                   EvenPath& out) {
+  std::size_t i = 0;
+  for (; i < main.points.size() && value_at(field.phi, main.points[i]) <= last_turn; ++i) {
+    out.points.push_back({main.points[i], value_at(field.phi, main.points[i]), {}, 0.0});
   }
-  (void)domain;
-  return nullptr;
+  if (i == 0 || i == main.points.size()) return;
+  const double before = value_at(field.phi, main.points[i - 1]), after = value_at(field.phi, main.points[i]);
+  const EvenPathPoint crossing{main.points[i - 1], last_turn, main.points[i], (last_turn - before) / (after - before)};
+  for (const LevelLine& line :
+       trace_levels(domain.mesh, domain.topology, {field.phi, {}}, last_turn - std::floor(last_turn))) {
+    if (!line.closed || std::abs(value_at(field.phi, line.points.front()) - last_turn) > 0.25) continue;
+    const auto closing = once_around(line, main.triangles[i - 1], crossing);
+    out.points.insert(out.points.end(), closing.begin(), closing.end());
+    if (!closing.empty()) return;
+  }
 }
 
 }  // namespace
@@ -100,23 +100,11 @@ EvenPath even_path(const EvenDomain& domain, const EvenField& field) {
   const double last_turn = field.turns - 0.5;
   const LevelLine& main = lines.front();
   out.points = boundary_half_turn(domain, main.points.front());
-  for (const SurfacePoint& p : main.points) {
-    const double turn = value_at(field.phi, p);
-    if (turn > last_turn) break;
-    out.points.push_back({p, turn});
-  }
+  append_spiral(domain, field, main, last_turn, out);
   for (std::size_t i = 1; i < lines.size(); ++i) {
     double turn = 0.0;
     for (const SurfacePoint& p : lines[i].points) turn += value_at(field.phi, p);
     if (turn / static_cast<double>(lines[i].points.size()) < last_turn) ++out.pieces;
-  }
-  const auto closing = trace_levels(domain.mesh, domain.topology, {field.phi, {}}, last_turn - std::floor(last_turn));
-  const LevelLine* loop = closing_line(closing, domain, field, last_turn);
-  if (loop != nullptr && out.points.size() >= 2) {
-    const Vec3 end = position_mm(domain.mesh, out.points.back().place);
-    const Vec3 before = position_mm(domain.mesh, out.points[out.points.size() - 2].place);
-    const auto closed = loop_from(domain, *loop, end, end - before, last_turn);
-    out.points.insert(out.points.end(), closed.begin(), closed.end());
   }
   return out;
 }
@@ -125,8 +113,12 @@ CcPath cc_path_of(const EvenDomain& domain, const EvenPath& path) {
   CcPiece piece;
   for (const EvenPathPoint& p : path.points) {
     CcPoint point;
-    point.point_P_mm = vector_at(domain.mesh.vertices_mm, p.place);
-    point.normal_P = vector_at(domain.vertex_normals, p.place).normalized();
+    const auto vector_of = [&](const std::vector<Vec3>& values) {
+      const Vec3 from = vector_at(values, p.place);
+      return p.share > 0.0 ? Vec3(from + p.share * (vector_at(values, p.toward) - from)) : from;
+    };
+    point.point_P_mm = vector_of(domain.mesh.vertices_mm);
+    point.normal_P = vector_of(domain.vertex_normals).normalized();
     point.turn = p.turn;
     constexpr double same_point_mm = 1e-6;
     if (!piece.points.empty() && (piece.points.back().point_P_mm - point.point_P_mm).norm() < same_point_mm) continue;

@@ -12,10 +12,12 @@
 
 namespace volute::planner {
 
-/// A point of the path on the domain's mesh.
+/// A point of the path on the domain's mesh: `share` of the way from one place on a triangle's rim to another.
 struct EvenPathPoint {
   SurfacePoint place;
   double turn = 0.0;  ///< phi there
+  SurfacePoint toward;
+  double share = 0.0;  ///< 0: at `place`; `toward` is not used
 };
 
 /// The path inward: along the outer boundary, the spiral, the closing loop half an interval before the centre.

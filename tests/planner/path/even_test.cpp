@@ -1,0 +1,249 @@
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <numbers>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "geometry/mesh_measure.hpp"
+#include "planner/path/even_domain.hpp"
+#include "planner/path/even_resample.hpp"
+#include "planner/path/even_spiral.hpp"
+#include "planner/path/path_interval.hpp"
+
+namespace volute::planner {
+namespace {
+
+using geometry::MeshTopology;
+
+struct Hole {
+  double x_mm, y_mm, radius_mm;
+};
+
+double height(double x, double y) { return 2.0 * std::sin(0.11 * x + 0.4) * std::cos(0.09 * y); }
+
+/// A bumpy disc with round holes: a hexagonal lattice, its cells cut away where a hole or the outside is, and the
+/// vertices that are left on a rim moved onto its circle.
+TriangleMesh disc_with_holes(double radius_mm, const std::vector<Hole>& holes, double edge_mm) {
+  TriangleMesh all;
+  const int n = static_cast<int>(radius_mm / edge_mm) + 2, row = 2 * n + 1;
+  for (int j = -n; j <= n; ++j) {
+    for (int i = -n; i <= n; ++i) {
+      all.vertices_mm.emplace_back((i + 0.5 * (j & 1)) * edge_mm, j * edge_mm * std::sqrt(0.75), 0.0);
+    }
+  }
+  const auto inside = [&](Index v) {
+    const Vec3& p = all.vertices_mm[static_cast<std::size_t>(v)];
+    if (p.norm() > radius_mm) return false;
+    for (const Hole& h : holes) {
+      if (std::hypot(p.x() - h.x_mm, p.y() - h.y_mm) < h.radius_mm) return false;
+    }
+    return true;
+  };
+  for (int j = 0; j < 2 * n; ++j) {
+    for (int i = 0; i < 2 * n; ++i) {
+      const Index a = j * row + i, b = a + 1, c = a + row, d = c + 1;
+      const bool odd = ((j - n) & 1) != 0;
+      const std::array<geometry::Triangle, 2> cells = odd ? std::array<geometry::Triangle, 2>{{{a, b, d}, {a, d, c}}}
+                                                          : std::array<geometry::Triangle, 2>{{{a, b, c}, {b, d, c}}};
+      for (const auto& t : cells) {
+        if (inside(t[0]) && inside(t[1]) && inside(t[2])) all.triangles.push_back(t);
+      }
+    }
+  }
+  TriangleMesh mesh = in_memory_order(all);
+  const auto topology = MeshTopology::build(mesh);
+  for (const auto& loop : topology->boundary_loops()) {
+    for (Index v : loop.vertices) {
+      Vec3& p = mesh.vertices_mm[static_cast<std::size_t>(v)];
+      Hole rim{0.0, 0.0, radius_mm};
+      double least = std::abs(p.norm() - radius_mm);
+      for (const Hole& h : holes) {
+        const double off = std::abs(std::hypot(p.x() - h.x_mm, p.y() - h.y_mm) - h.radius_mm);
+        if (off < least) {
+          least = off;
+          rim = h;
+        }
+      }
+      const Vec3 centre(rim.x_mm, rim.y_mm, 0.0);
+      p = centre + (p - centre).normalized() * rim.radius_mm;
+    }
+  }
+  for (Vec3& p : mesh.vertices_mm) p.z() = height(p.x(), p.y());
+  return mesh;
+}
+
+kinematics::Cutter ball(double radius_mm) {
+  kinematics::Cutter cutter;
+  cutter.radius_mm = cutter.corner_radius_mm = radius_mm;
+  return cutter;
+}
+
+CcPathResult planned(const TriangleMesh& mesh, double radius_mm, double scallop_mm) {
+  PathOptions options;
+  options.scallop_mm = scallop_mm;
+  auto result = plan_even_spiral(mesh, ball(radius_mm), options, {});
+  EXPECT_TRUE(result.has_value()) << (result ? "" : result.error().message);
+  return result ? *result : CcPathResult{};
+}
+
+/// The judge: no grid, no field. For random points of random triangles, the least entry of the normal into any ball of
+/// the path.
+double greatest_ratio(const TriangleMesh& mesh, const CcPath& path, double radius_mm, double scallop_mm, int samples,
+                      unsigned seed) {
+  const auto normals = geometry::vertex_normals(mesh);
+  std::vector<Vec3> centres;
+  for (const CcPiece& piece : path.pieces) {
+    for (std::size_t i = 0; i + 1 < piece.points.size(); ++i) {
+      const CcPoint &a = piece.points[i], &b = piece.points[i + 1];
+      const int steps = 1 + static_cast<int>((b.point_P_mm - a.point_P_mm).norm() / 0.1);
+      for (int s = 0; s < steps; ++s) {
+        const double w = static_cast<double>(s) / steps;
+        centres.push_back((1 - w) * a.point_P_mm + w * b.point_P_mm +
+                          radius_mm * ((1 - w) * a.normal_P + w * b.normal_P).normalized());
+      }
+    }
+  }
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<std::size_t> pick(0, mesh.triangles.size() - 1);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  double worst = 0.0;
+  for (int i = 0; i < samples; ++i) {
+    const auto& t = mesh.triangles[pick(random)];
+    double a = share(random), b = share(random);
+    if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
+    const auto mix = [&](const std::vector<Vec3>& v) {
+      return Vec3(a * v[static_cast<std::size_t>(t[0])] + b * v[static_cast<std::size_t>(t[1])] +
+                  (1.0 - a - b) * v[static_cast<std::size_t>(t[2])]);
+    };
+    const Vec3 x = mix(mesh.vertices_mm), n = mix(normals).normalized();
+    double least = radius_mm;
+    for (const Vec3& c : centres) {
+      const Vec3 d = c - x;
+      const double along = d.dot(n), disc = radius_mm * radius_mm - d.squaredNorm() + along * along;
+      if (disc >= 0.0) least = std::min(least, along - std::sqrt(disc));
+    }
+    worst = std::max(worst, least / scallop_mm);
+  }
+  return worst;
+}
+
+void expect_sound(const TriangleMesh& mesh, const CcPathResult& result, double ratio_max) {
+  ASSERT_EQ(result.path.pieces.size(), 1u);
+  EXPECT_EQ(result.report.pieces, 1);
+  EXPECT_GE(result.report.length_ratio, 1.0);
+  EXPECT_LE(result.report.length_ratio, ratio_max);
+  EXPECT_LE(*result.report.scallop_ratio_p9999, 1.05);
+  EXPECT_LE(*result.report.scallop_ratio_max, 1.10);
+  EXPECT_LE(*result.report.scallop_area_above_percent, 0.15);
+  EXPECT_LE(greatest_ratio(mesh, result.path, 3.0, 0.2, 1500, 7), 1.10);
+  // One piece: no jump between neighbouring points, far less than an interval.
+  const auto& points = result.path.pieces[0].points;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    ASSERT_LT((points[i].point_P_mm - points[i - 1].point_P_mm).norm(), 0.6 * path_interval_mm(3.0, 0.2, 0.0))
+        << "point " << i;
+  }
+}
+
+TEST(EvenSpiral, HoldsTheScallopWithAConcentricHole) {
+  const TriangleMesh mesh = disc_with_holes(30.0, {{0.0, 0.0, 9.0}}, 1.2);
+  expect_sound(mesh, planned(mesh, 3.0, 0.2), 1.2);
+}
+
+TEST(EvenSpiral, HoldsTheScallopAroundTwoHoles) {
+  const TriangleMesh mesh = disc_with_holes(32.0, {{-13.0, 4.0, 5.0}, {12.0, -7.0, 6.0}}, 1.2);
+  expect_sound(mesh, planned(mesh, 3.0, 0.2), 1.5);
+}
+
+TEST(EvenSpiral, EndsInASlitWhereThereIsNoHole) {
+  const TriangleMesh mesh = disc_with_holes(25.0, {}, 1.2);
+  const CcPathResult result = planned(mesh, 3.0, 0.2);
+  expect_sound(mesh, result, 1.25);
+  EXPECT_FALSE(result.map.bridges_P.empty());
+}
+
+TEST(EvenSpiral, SameBytesOnOneAndTwoThreads) {
+  const TriangleMesh mesh = disc_with_holes(24.0, {{8.0, 3.0, 5.0}}, 1.4);
+  std::vector<CcPathResult> results;
+  for (std::size_t threads : {1u, 2u}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    results.push_back(planned(mesh, 3.0, 0.2));
+  }
+  const auto &a = results[0].path.pieces.at(0).points, &b = results[1].path.pieces.at(0).points;
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ASSERT_EQ(std::memcmp(a[i].point_P_mm.data(), b[i].point_P_mm.data(), 3 * sizeof(double)), 0) << "point " << i;
+  }
+}
+
+TEST(EvenSpiral, NamesACentreLoopThatIsNotThere) {
+  const TriangleMesh mesh = disc_with_holes(20.0, {{0.0, 0.0, 6.0}}, 1.6);
+  PathOptions options;
+  options.scallop_mm = 0.2;
+  options.centre_loop = 4;
+  const auto result = plan_even_spiral(mesh, ball(3.0), options, {});
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, "path-centre-loop");
+}
+
+// On a ring the harmonic map is log(r) whatever the mesh; the gathered theta still grows by one around any loop.
+TEST(EvenDomain, HarmonicAndThetaOnARing) {
+  TriangleMesh mesh = disc_with_holes(30.0, {{0.0, 0.0, 9.0}}, 1.2);
+  for (Vec3& p : mesh.vertices_mm) p.z() = 0.0;
+  const auto surface = EvenSurface::build(mesh);
+  ASSERT_TRUE(surface.has_value());
+  for (double ramp_share : {1.0, 0.3}) {
+    const auto domain = even_domain(*surface, Centre(Index{1}), ramp_share);
+    ASSERT_TRUE(domain.has_value());
+    for (std::size_t v = 0; v < domain->harmonic.size(); ++v) {
+      const double r = domain->mesh.vertices_mm[v].norm();
+      EXPECT_NEAR(domain->harmonic[v], std::log(30.0 / r) / std::log(30.0 / 9.0), 0.01);
+    }
+    for (const auto* loop : {&domain->outer, &domain->centre}) {
+      double grown = 0.0;
+      for (std::size_t i = 0; i < loop->vertices.size(); ++i) {
+        const Index a = loop->vertices[i], b = loop->vertices[(i + 1) % loop->vertices.size()];
+        grown += std::remainder(
+            domain->theta.vertex[static_cast<std::size_t>(b)] - domain->theta.vertex[static_cast<std::size_t>(a)], 1.0);
+      }
+      EXPECT_NEAR(grown, loop == &domain->outer ? 1.0 : -1.0, 1e-9);  // the hole's loop runs clockwise
+    }
+  }
+}
+
+TEST(EvenResample, CoarserKeepsTopologyAndVertices) {
+  const TriangleMesh mesh = disc_with_holes(30.0, {{-10.0, 4.0, 5.0}, {12.0, -7.0, 6.0}}, 1.0);
+  const CoarseMesh coarse = coarser(mesh, 3.0, 0.3);
+  const auto before = MeshTopology::build(mesh), after = MeshTopology::build(coarse.mesh);
+  ASSERT_TRUE(after.has_value());
+  EXPECT_LT(coarse.mesh.triangles.size(), mesh.triangles.size() / 3);
+  EXPECT_EQ(after->boundary_loops().size(), before->boundary_loops().size());
+  EXPECT_EQ(after->components().size(), 1u);
+  EXPECT_EQ(after->components()[0].handles, 0);
+  for (std::size_t v = 0; v < coarse.original.size(); ++v) {
+    EXPECT_EQ(coarse.mesh.vertices_mm[v], mesh.vertices_mm[static_cast<std::size_t>(coarse.original[v])]);
+  }
+  EXPECT_NEAR(geometry::area_mm2(coarse.mesh), geometry::area_mm2(mesh), 0.02 * geometry::area_mm2(mesh));
+}
+
+TEST(EvenResample, FinerKeepsTheSurface) {
+  const TriangleMesh mesh = disc_with_holes(15.0, {{2.0, 1.0, 4.0}}, 2.0);
+  const auto fine = finer(mesh, 0.9);
+  ASSERT_TRUE(fine.has_value());
+  const auto topology = MeshTopology::build(*fine);
+  ASSERT_TRUE(topology.has_value());
+  EXPECT_EQ(topology->boundary_loops().size(), 2u);
+  EXPECT_NEAR(geometry::area_mm2(*fine), geometry::area_mm2(mesh), 1e-9 * geometry::area_mm2(mesh));
+  for (const auto& t : fine->triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 edge = fine->vertices_mm[static_cast<std::size_t>(t[(k + 1) % 3])] -
+                        fine->vertices_mm[static_cast<std::size_t>(t[k])];
+      EXPECT_LE(edge.norm(), 0.9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace volute::planner
