@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "geometry/check.hpp"
@@ -23,11 +24,12 @@ struct Stand {
   std::vector<Transform> X_M;
 };  // one a body
 
-/// A state between two, or one of them.
+/// A state between two, or one of them; `index` is that of the state at the end of the move.
 struct Moment {
   AxisVector q;
   std::int64_t line;
   double time_s;
+  std::size_t index;
 };
 
 struct Contact {
@@ -55,31 +57,39 @@ class RunCheck {
   /// Checks the states [first, last] and what lies between them.
   [[nodiscard]] PieceReport check(std::size_t first, std::size_t last) const {
     PieceReport report;
-    std::vector<double> free_mm(pairs_.pairs.size(),
-                                0.0);  // how far the pair may still move before it must be looked at
+    std::vector<double> free_mm(pairs_.pairs.size());  // how far a pair may still move before it must be looked at
     Stand here = stand(states_[first].q);
-    look(here, {states_[first].q, states_[first].line, states_[first].time_s}, first, free_mm, report);
+    for (std::size_t p = 0; p < free_mm.size(); ++p) free_mm[p] = look(p, moment(first, first, 1.0), report);
     for (std::size_t i = first + 1; i <= last; ++i) {
-      const Stand next = stand(states_[i].q);
+      Stand next = stand(states_[i].q);
       const std::vector<double> moved = motion(here, next);
-      const double most = *std::max_element(moved.begin(), moved.end());
-      const bool all_free =
-          std::equal(moved.begin(), moved.end(), free_mm.begin(), [](double m, double f) { return m < f; });
-      const int parts = all_free ? 1 : std::max(1, static_cast<int>(std::ceil(most / step_mm_)));
-      for (int k = 1; k <= parts; ++k) {
-        for (std::size_t p = 0; p < moved.size(); ++p) free_mm[p] -= moved[p] / parts;
-        const double share = static_cast<double>(k) / parts;
-        const MachineState& a = states_[i - 1];
-        const MachineState& b = states_[i];
-        const AxisVector q = a.q + share * (b.q - a.q);
-        look(k == parts ? next : stand(q), {q, b.line, a.time_s + share * (b.time_s - a.time_s)}, i, free_mm, report);
+      for (std::size_t p = 0; p < moved.size(); ++p) {
+        if (moved[p] < free_mm[p])
+          free_mm[p] -= moved[p];
+        else
+          follow(p, i, moved[p], free_mm[p], report);
       }
-      here = next;
+      here = std::move(next);
     }
     return report;
   }
 
  private:
+  /// One pair on its way from state i - 1 to state i.
+  void follow(std::size_t p, std::size_t i, double moved_mm, double& free_mm, PieceReport& report) const {
+    const double part_mm = pairs_.pairs[p].cutter_and_part ? step_mm_ : least_free_mm();
+    const int parts = std::max(1, static_cast<int>(std::ceil(moved_mm / part_mm)));
+    for (int k = 1; k <= parts; ++k) {
+      free_mm -= moved_mm / parts;
+      if (free_mm <= 0.0) free_mm = look(p, moment(i - 1, i, static_cast<double>(k) / parts), report);
+    }
+  }
+
+  [[nodiscard]] Moment moment(std::size_t from, std::size_t to, double share) const {
+    const MachineState &a = states_[from], &b = states_[to];
+    return {a.q + share * (b.q - a.q), b.line, a.time_s + share * (b.time_s - a.time_s), to};
+  }
+
   [[nodiscard]] Stand stand(const AxisVector& q) const {
     Stand out;
     out.X_M.reserve(pairs_.bodies.size());
@@ -93,41 +103,53 @@ class RunCheck {
     for (std::size_t i = 0; i < pairs_.bodies.size(); ++i) {
       const CollisionBody& body = *pairs_.bodies[i].body;
       const Vec3 shift = b.X_M[i] * body.centre_mm() - a.X_M[i] * body.centre_mm();
-      const Eigen::AngleAxisd turn(a.X_M[i].linear().transpose() * b.X_M[i].linear());
-      body_mm.push_back(shift.norm() + body.radius_mm() * std::abs(turn.angle()));
+      // Two rotations that differ by the angle t are 2 sqrt(2) sin(t / 2) apart in the Frobenius norm.
+      const double apart = (b.X_M[i].linear() - a.X_M[i].linear()).norm();
+      const double turn = 2.0 * std::asin(std::min(1.0, apart / (2.0 * std::numbers::sqrt2)));
+      body_mm.push_back(shift.norm() + body.radius_mm() * turn);
     }
     std::vector<double> out;
     for (const auto& pair : pairs_.pairs) out.push_back(body_mm[pair.a] + body_mm[pair.b]);
     return out;
   }
 
-  void look(const Stand& at, const Moment& moment, std::size_t index, std::vector<double>& free_mm,
-            PieceReport& report) const {
-    for (std::size_t p = 0; p < pairs_.pairs.size(); ++p) {
-      if (free_mm[p] > 0.0) continue;
-      const auto& pair = pairs_.pairs[p];
-      const double alarm = pair.cutter_and_part ? 0.0 : clearance_mm_;
-      const double reach =
-          std::max(alarm, std::isfinite(report.closest_mm) && !pair.cutter_and_part ? report.closest_mm : alarm);
-      const double bound =
-          std::isfinite(report.closest_mm) || pair.cutter_and_part ? reach + look_beyond_steps * step_mm_ : infinite;
-      const Transform X_BA = at.X_M[pair.b].inverse() * at.X_M[pair.a];
-      const double distance =
-          body_distance_mm(*pairs_.bodies[pair.a].body, *pairs_.bodies[pair.b].body, X_BA, bound, report.pairs);
-      if (!pair.cutter_and_part && distance < report.closest_mm) {
-        report.closest_mm = distance;
-        report.closest_pair = p;
-        report.at_line = moment.line;
-      }
-      if (distance <= 0.0 || distance < alarm)
-        report.contacts.push_back({p, distance, moment.line, moment.time_s, index});
-      // The pair need not be looked at before it can come nearer than anything seen, less a step, or than the alarm.
-      const double seen = pair.cutter_and_part ? alarm : std::max(alarm, report.closest_mm - step_mm_);
-      free_mm[p] = std::max(0.0, distance - seen);
-    }
+  [[nodiscard]] double distance(const BodyPair& pair, const AxisVector& q, double bound_mm, PieceReport& report) const {
+    const MovingBody &a = pairs_.bodies[pair.a], &b = pairs_.bodies[pair.b];
+    return body_distance_mm(*a.body, *b.body, b.X_M(q).inverse() * a.X_M(q), bound_mm, report.pairs, exact_below_mm());
   }
 
+  /// Looks at one pair and says how far it may move before the next look.
+  double look(std::size_t p, const Moment& at, PieceReport& report) const {
+    const BodyPair& pair = pairs_.pairs[p];
+    const double far = look_beyond_steps * step_mm_;
+    if (pair.cutter_and_part) {
+      // Most of the time they touch: a short look first, a long one only where there is air.
+      double found = distance(pair, at.q, least_free_mm(), report);
+      if (found >= least_free_mm()) found = distance(pair, at.q, far, report);
+      if (found <= 0.0) report.contacts.push_back({p, found, at.line, at.time_s, at.index});
+      return std::max(least_free_mm(), (1.0 - far_distance_error) * found);
+    }
+    const double bound = std::isfinite(report.closest_mm) ? std::max(clearance_mm_, report.closest_mm) + far : infinite;
+    const double found = distance(pair, at.q, bound, report);
+    if (found < report.closest_mm) {
+      report.closest_mm = found;
+      report.closest_pair = p;
+      report.at_line = at.line;
+    }
+    if (found <= 0.0 || found < clearance_mm_) report.contacts.push_back({p, found, at.line, at.time_s, at.index});
+    // Nothing to see before the pair can be within the clearance, or clearly nearer than anything seen.
+    const double seen =
+        std::max(clearance_mm_, report.closest_mm - std::max(step_mm_, closest_share * report.closest_mm));
+    const double surely =
+        found <= exact_below_mm() ? found : std::max(exact_below_mm(), (1.0 - far_distance_error) * found);
+    return std::max(least_free_mm(), surely - seen);
+  }
+
+  [[nodiscard]] double least_free_mm() const { return 0.5 * step_mm_; }
+  [[nodiscard]] double exact_below_mm() const { return std::max(1.0, 2.0 * clearance_mm_); }
+
   static constexpr double look_beyond_steps = 8.0;
+  static constexpr double closest_share = 0.25;
   const CollisionPairs& pairs_;
   const std::vector<MachineState>& states_;
   double clearance_mm_, step_mm_;

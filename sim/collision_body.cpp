@@ -43,24 +43,30 @@ struct PieceSearch {
   btTransform X_BA;
   std::int64_t& pairs;
   double best;
+  double exact_below;
 
   [[nodiscard]] double bound(const Vec3& centre_B, double radius) const {
     return piece.distance_bound_mm(X_AB * centre_B) - radius;
   }
 
+  /// What cannot come below this is given up.
+  [[nodiscard]] double limit() const {
+    return best <= exact_below ? best : std::max(exact_below, (1.0 - far_distance_error) * best);
+  }
+
   void leaf(const CollisionBody::Node& node) {
     for (std::int32_t i = node.first; i < node.first + node.count && best > 0.0; ++i) {
       const ConvexPiece& other = body.piece(i);
-      if (bound(other.centre_mm, other.radius_mm) >= best) continue;
+      if (bound(other.centre_mm, other.radius_mm) >= limit()) continue;
       const Vec3 centre_B = X_AB.inverse(Eigen::Isometry) * piece.centre_mm;
-      if (other.distance_bound_mm(centre_B) - piece.radius_mm >= best) continue;
+      if (other.distance_bound_mm(centre_B) - piece.radius_mm >= limit()) continue;
       ++pairs;
       best = std::min(best, gjk_distance_mm(piece.shape(), other.shape(), X_BA));
     }
   }
 
   void walk(std::int32_t index, double bound_mm) {
-    if (best <= 0.0 || bound_mm >= best) return;
+    if (best <= 0.0 || bound_mm >= limit()) return;
     const auto& node = body.nodes()[static_cast<std::size_t>(index)];
     if (node.count > 0) return leaf(node);
     const auto& first = body.nodes()[static_cast<std::size_t>(node.first)];
@@ -185,14 +191,14 @@ std::int32_t CollisionBody::build(std::int32_t first, std::int32_t count) {
 }
 
 double body_distance_mm(const CollisionBody& a, const CollisionBody& b, const Transform& X_BA, double bound_mm,
-                        std::int64_t& pairs) {
+                        std::int64_t& pairs, double exact_below_mm) {
   if (a.empty() || b.empty()) return bound_mm;
-  if (a.piece_count() > b.piece_count()) return body_distance_mm(b, a, X_BA.inverse(), bound_mm, pairs);
+  if (a.piece_count() > b.piece_count()) return body_distance_mm(b, a, X_BA.inverse(), bound_mm, pairs, exact_below_mm);
   const Transform X_AB = X_BA.inverse();
   const btTransform bullet_X_BA = to_bullet(X_BA);
   double best = bound_mm;
   for (std::size_t i = 0; i < a.piece_count() && best > 0.0; ++i) {
-    PieceSearch search{a.piece(static_cast<std::int32_t>(i)), b, X_AB, bullet_X_BA, pairs, best};
+    PieceSearch search{a.piece(static_cast<std::int32_t>(i)), b, X_AB, bullet_X_BA, pairs, best, exact_below_mm};
     search.walk(0, search.bound(b.centre_mm(), b.radius_mm()));
     best = search.best;
   }

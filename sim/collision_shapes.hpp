@@ -1,6 +1,7 @@
 // Convex pieces for Bullet in double precision, and bodies made of many of them.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -65,10 +66,14 @@ class CollisionBody {
   std::vector<Node> nodes_;
 };
 
+/// Distances above `exact_below_mm` may be told this share too great.
+constexpr double far_distance_error = 0.05;
+
 /// Distance between two bodies when it is below `bound_mm`, else bound_mm. Zero or negative: they meet, and the value
 /// is minus the depth in the first pair of pieces found to meet. `X_BA` takes A's frame to B's. `pairs` counts Bullet's
-/// own tests. Accuracy: 1e-5 mm (Bullet's GJK with margins 0).
+/// own tests. Accuracy: 1e-5 mm (Bullet's GJK with margins 0) up to `exact_below_mm`; above it the value is never too
+/// small.
 double body_distance_mm(const CollisionBody& a, const CollisionBody& b, const Transform& X_BA, double bound_mm,
-                        std::int64_t& pairs);
+                        std::int64_t& pairs, double exact_below_mm = std::numeric_limits<double>::infinity());
 
 }  // namespace volute::sim

@@ -44,6 +44,12 @@ struct FrameMotion {
   }
 };
 
+/// The bodies from the base to one end of the chain, outwards.
+struct Side {
+  std::array<Body, kinematics::axis_count> bodies;
+  int count = 0;
+};
+
 struct JointState {
   double position, velocity, acceleration;
 };  // mm or rad
@@ -62,23 +68,21 @@ Body cross_joint(const Axis& axis, int index, double sign, const JointState& sta
   const Vec3 along = frame.place.linear() * axis.direction_M;
   FrameMotion next = frame;
   if (linear) {
-    const Vec3 carried = frame.velocity_at(frame.point);
-    next.point = frame.point + shift * along;
-    // Material of the body that stands at frame.point + shift: carried by the frame, sliding along `along`.
+    // Material of the body that stands at frame.point + r is carried by the frame and slides along `along`.
     const Vec3 r = shift * along;
-    next.velocity = carried + frame.angular_velocity.cross(r) + rate * along;
+    next.point = frame.point + r;
+    next.velocity = frame.velocity_at(next.point) + rate * along;
     next.acceleration =
-        frame.acceleration_at(frame.point + r) + rate2 * along + 2.0 * frame.angular_velocity.cross(rate * along);
-    next.place = frame.place * Eigen::Translation3d(shift * axis.direction_M);
+        frame.acceleration_at(next.point) + rate2 * along + 2.0 * frame.angular_velocity.cross(rate * along);
+    next.place.translation() += r;
   } else {
     next.point = body.joint_m;
     next.velocity = frame.velocity_at(body.joint_m);
     next.acceleration = frame.acceleration_at(body.joint_m);
     next.angular_velocity = frame.angular_velocity + rate * along;
     next.angular_acceleration = frame.angular_acceleration + rate2 * along + frame.angular_velocity.cross(rate * along);
-    const Vec3 pivot = axis.point_M_mm / mm_per_m;
-    next.place = frame.place * Eigen::Translation3d(pivot) * Eigen::AngleAxisd(shift, axis.direction_M) *
-                 Eigen::Translation3d(-pivot);
+    next.place.linear() = frame.place.linear() * Eigen::AngleAxisd(shift, axis.direction_M).toRotationMatrix();
+    next.place.translation() = body.joint_m - next.place.linear() * (axis.point_M_mm / mm_per_m);
   }
   body.mass_centre_m = next.place * (axis.centre_of_mass_M_mm / mm_per_m);
   body.inertia = next.place.linear() * axis.inertia_kg_m2 * next.place.linear().transpose();
@@ -90,9 +94,10 @@ Body cross_joint(const Axis& axis, int index, double sign, const JointState& sta
 }
 
 /// Inwards: force and moment (about the base's origin) that each joint passes on to its body and all behind it.
-void add_forces(const Machine& machine, const std::vector<Body>& bodies, AxisVector& load) {
+void add_forces(const Machine& machine, const Side& side, AxisVector& load) {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-  for (auto body = bodies.rbegin(); body != bodies.rend(); ++body) {
+  for (int k = side.count - 1; k >= 0; --k) {
+    const Body* body = &side.bodies[static_cast<std::size_t>(k)];
     const Axis& axis = machine.axes[static_cast<std::size_t>(body->axis)];
     const Vec3 weight(0.0, 0.0, -gravity_m_s2 * axis.moved_mass_kg);
     const Vec3 needed = axis.moved_mass_kg * body->mass_centre_acceleration - weight;
@@ -105,17 +110,17 @@ void add_forces(const Machine& machine, const std::vector<Body>& bodies, AxisVec
   }
 }
 
-/// The bodies from the base to one end of the chain.
-std::vector<Body> walk(const Machine& machine, int from, int step, int count, double sign, const AxisVector& q,
-                       const AxisVector& velocity, const AxisVector& acceleration) {
-  std::vector<Body> bodies;
+Side walk(const Machine& machine, int from, int step, int count, double sign, const AxisVector& q,
+          const AxisVector& velocity, const AxisVector& acceleration) {
+  Side side;
   FrameMotion frame;
   for (int k = 0, place = from; k < count; ++k, place += step) {
     const int axis = machine.chain[static_cast<std::size_t>(place)];
-    bodies.push_back(cross_joint(machine.axes[static_cast<std::size_t>(axis)], axis, sign,
-                                 {q[axis], velocity[axis], acceleration[axis]}, frame));
+    side.bodies[static_cast<std::size_t>(side.count++)] =
+        (cross_joint(machine.axes[static_cast<std::size_t>(axis)], axis, sign,
+                     {q[axis], velocity[axis], acceleration[axis]}, frame));
   }
-  return bodies;
+  return side;
 }
 
 double friction(const Axis& axis, double velocity) {

@@ -45,7 +45,9 @@ SurfaceSamples::SurfaceSamples(const geometry::TriangleMesh& mesh, double spacin
     normals_.push_back(cross.normalized());
     const double edge = longest_edge(cell);
     const std::int32_t patches = cuts_for(edge, patch_size_mm);
-    const std::int32_t cells = cuts_for(edge / patches, spacing_mm);
+    // One sample for each square of the spacing, and none farther apart than twice that in a sliver.
+    const double side = std::max(std::sqrt(areas_.back()), 0.5 * edge) / patches;
+    const std::int32_t cells = cuts_for(side, spacing_mm);
     patch_cuts_.push_back(patches);
     for (std::int32_t k = 0; k < patches * patches; ++k) {
       patches_.push_back({t, k, cells, count_});

@@ -46,7 +46,7 @@ TEST(CutSurface, UncutStripHasItsArea) {
   // Leave out the passes over x in (8, 12): what stays higher than 0.1 mm runs between two arcs.
   std::erase_if(poses, [](const SweptPose& p) { return p.pose.tip_P_mm.x() > 8.01 && p.pose.tip_P_mm.x() < 11.99; });
   const auto report = measure_cut_surface(test::plane(20.0, 4), test::ball(2.0), poses,
-                                          {.uncut_limit_mm = 0.1, .search_height_mm = 5.0});
+                                          {.sample_spacing_mm = 0.05, .uncut_limit_mm = 0.1, .search_height_mm = 5.0});
   const double reach = std::sqrt(4.0 - 1.9 * 1.9);
   EXPECT_TRUE(report.uncut);
   EXPECT_NEAR(report.uncut_area_mm2, 20.0 * (4.0 - 2.0 * reach), 0.5);

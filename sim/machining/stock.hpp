@@ -1,0 +1,49 @@
+// The material that is left: a tri-dexel solid that tools cut.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/mesh.hpp"
+#include "geometry/result.hpp"
+#include "sim/machining/cut_surface.hpp"
+#include "sim/machining/dexel_grid.hpp"
+
+namespace volute::sim {
+
+/// Material on three families of rays (along x, y and z of the part) through the nodes of a cubic grid.
+/// Accuracy: along each ray exact for the tool's places; places are so close that cusps between them stay below the
+/// tolerance. Volumes are the mean of the three families'; features of some tens of grid widths come out within 0.5 %.
+/// Properties: 1. The result does not depend on the number of threads. 2. Cutting the same moves twice removes nothing
+/// the second time. 3. Removed and remaining volume add up to the first volume.
+class Stock {
+ public:
+  /// A box full of material. Requires: low < high in every axis, grid_mm > 0.
+  static Stock box(const Vec3& low_mm, const Vec3& high_mm, double grid_mm);
+  /// The inside of a closed mesh. Errors (bad_input): stock-not-closed (a ray enters and never leaves), stock-empty.
+  static geometry::Result<Stock> solid(const geometry::TriangleMesh& mesh, double grid_mm);
+
+  [[nodiscard]] double volume_mm3() const;
+
+  /// Cuts along the moves between the poses (the first pose cuts where it stands) and returns the volume that each pose's
+  /// move removed, mm3; poses closer together than the tolerance needs count with the next one that is farther.
+  /// `tolerance_mm`: greatest cusp between places and chord of what is passed over.
+  std::vector<double> cut(const kinematics::Cutter& cutter, std::span<const SweptPose> poses, double tolerance_mm);
+
+  /// Volume of the material inside a cone of the tool that stands at a pose, mm3: whether a holder or shank is in the
+  /// stock.
+  [[nodiscard]] double overlap_mm3(const kinematics::ConeSegment& segment, const kinematics::ToolPose& pose) const;
+
+  /// The skin of what is left as a closed mesh (one vertex a cell that the skin passes, at the mean of its crossings).
+  [[nodiscard]] geometry::TriangleMesh skin() const;
+
+ private:
+  Stock(const Vec3& low_mm, const std::array<int, 3>& nodes, double grid_mm);
+  friend class StockSkin;
+  Vec3 low_mm_;
+  std::array<int, 3> nodes_;
+  double grid_mm_;
+  std::vector<DexelGrid> grids_;  // along x, y, z
+};
+
+}  // namespace volute::sim

@@ -1,0 +1,195 @@
+#include "sim/machining/stock.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <map>
+#include <numbers>
+
+#include "shapes.hpp"
+#include "sim/machining/stock_run.hpp"
+
+namespace volute::sim {
+namespace {
+
+using geometry::Vec3;
+constexpr double pi = std::numbers::pi;
+
+SweptPose at(const Vec3& tip, const Vec3& axis = Vec3::UnitZ(), std::int64_t line = 1, bool rapid = false) {
+  return {{tip, axis}, line, 0.1 * static_cast<double>(line), rapid};
+}
+
+double removed(Stock& stock, const kinematics::Cutter& cutter, const std::vector<SweptPose>& poses) {
+  double sum = 0.0;
+  for (const double v : stock.cut(cutter, poses, 0.002)) sum += v;
+  return sum;
+}
+
+geometry::TriangleMesh block(const Vec3& low, const Vec3& high) {
+  geometry::TriangleMesh mesh;
+  for (int i = 0; i < 8; ++i)
+    mesh.vertices_mm.emplace_back(i & 1 ? high.x() : low.x(), i & 2 ? high.y() : low.y(), i & 4 ? high.z() : low.z());
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+double mesh_volume(const geometry::TriangleMesh& mesh) {
+  double six = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const auto v = [&](std::size_t k) { return mesh.vertices_mm[static_cast<std::size_t>(t[k])]; };
+    six += v(0).dot(v(1).cross(v(2)));
+  }
+  return six / 6.0;
+}
+
+TEST(Stock, ABoxHasItsVolume) { EXPECT_NEAR(Stock::box({0, 0, 0}, {30, 20, 10}, 0.2).volume_mm3(), 6000.0, 1e-6); }
+
+TEST(Stock, AFlatSlotRemovesALengthAndTwoHalfDiscs) {
+  Stock stock = Stock::box({0, 0, 0}, {60, 30, 12}, 0.1);
+  const double radius = 5.03, depth = 4.97;
+  const double volume = removed(stock, test::flat(radius, 30), {at({12, 15, 12 - depth}), at({48, 15, 12 - depth})});
+  const double expected = depth * (36.0 * 2 * radius + pi * radius * radius);
+  EXPECT_NEAR(volume, expected, 0.005 * expected);
+  EXPECT_NEAR(stock.volume_mm3() + volume, 60.0 * 30 * 12, 1e-6 * 21600);
+}
+
+TEST(Stock, ABallGrooveRemovesACircleSegmentTimesItsLength) {
+  Stock stock = Stock::box({0, 0, 0}, {40, 30, 12}, 0.1);
+  const double r = 4.0, depth = 2.5;  // right through the block, so the ends do not matter
+  const double volume = removed(stock, test::ball(r, 30), {at({-8, 15, 12 - depth}), at({48, 15, 12 - depth})});
+  const double half = std::acos((r - depth) / r), segment = r * r * (half - std::sin(half) * std::cos(half));
+  EXPECT_NEAR(volume, 40.0 * segment, 0.005 * 40.0 * segment);
+}
+
+TEST(Stock, ATiltedCylinderThroughAPlateRemovesAreaTimesLengthWithin) {
+  Stock stock = Stock::box({0, 0, 0}, {40, 40, 10}, 0.1);
+  const double tilt = 0.5, r = 4.0;
+  const Vec3 axis(std::sin(tilt), 0, std::cos(tilt));
+  const double volume = removed(stock, test::flat(r, 60), {at(Vec3(20, 20, 5) - 30.0 * axis, axis)});
+  const double expected = pi * r * r * 10.0 / std::cos(tilt);
+  EXPECT_NEAR(volume, expected, 0.005 * expected);
+}
+
+TEST(Stock, BullAndTaperPlungesRemoveTheirOwnVolume) {
+  const double R = 5.0, c = 1.5, depth = 6.0;
+  Stock a = Stock::box({-10, -10, 0}, {10, 10, 10}, 0.1);
+  const double bull = removed(a, test::bull(R, c, 30), {at({0, 0, 10 - depth})});
+  // A full cylinder less the ring outside the rounded rim (Pappus).
+  const double corner = (1 - pi / 4) * c * c;
+  // The spandrel's centroid lies (10 - 3 pi) / (12 - 3 pi) * c from the square's outer corner.
+  const double from_axis = R - c * (10 - 3 * pi) / (12 - 3 * pi);
+  const double expected_bull = pi * R * R * depth - 2 * pi * from_axis * corner;
+  EXPECT_NEAR(bull, expected_bull, 0.005 * expected_bull);
+
+  Stock b = Stock::box({-10, -10, 0}, {10, 10, 10}, 0.1);
+  const double r = 2.0, t = 0.3;
+  const double taper = removed(b, test::taper_ball(r, t * 180 / pi, 30), {at({0, 0, 10 - depth})});
+  const double z = r * (1 - std::sin(t)), rim = r * std::cos(t), top = rim + (depth - z) * std::tan(t);
+  const double cap = pi * z * z * (r - z / 3), cone = pi * (depth - z) / 3 * (rim * rim + rim * top + top * top);
+  EXPECT_NEAR(taper, cap + cone, 0.005 * (cap + cone));
+}
+
+TEST(Stock, SlantedMoveOfABallIsACapsuleWithinTheBlock) {
+  Stock stock = Stock::box({-20, -20, -20}, {20, 20, 20}, 0.2);
+  // The ball alone: flutes no longer than the ball's half.
+  const double r = 3.0, length = 15.0;
+  const Vec3 way = Vec3(1, 0.5, -0.7).normalized();
+  // Its sharp rim leaves straight steps between places, so they stand close here.
+  double volume = 0.0;
+  const std::vector<SweptPose> way_poses{at(Vec3(-5, -3, 4)), at(Vec3(-5, -3, 4) + length * way)};
+  for (const double v : stock.cut(test::ball(r, r), way_poses, 0.0001)) volume += v;
+  // A lower half ball swept: half balls at the ends, between them the projected area of the half ball across the way.
+  const double along = std::abs(way.z());
+  const double area = 0.5 * pi * r * r * (1.0 + along);
+  const double expected = 2.0 / 3.0 * pi * r * r * r + length * area;
+  EXPECT_NEAR(volume, expected, 0.005 * expected);
+}
+
+TEST(Stock, CuttingTwiceRemovesNothingMore) {
+  Stock stock = Stock::box({0, 0, 0}, {20, 20, 10}, 0.2);
+  const std::vector<SweptPose> poses{at({0, 5, 7}), at({20, 12, 6}, Vec3(0.2, 0, 1).normalized())};
+  EXPECT_GT(removed(stock, test::ball(3, 20), poses), 0.0);
+  EXPECT_EQ(removed(stock, test::ball(3, 20), poses), 0.0);
+}
+
+TEST(Stock, SolidOfAClosedMeshHasItsVolumeAndAnOpenOneIsRefused) {
+  auto mesh = block({0, 0, 0}, {20, 15, 10});
+  const Eigen::AngleAxisd turn(0.4, Vec3(1, 2, 3).normalized());
+  for (auto& v : mesh.vertices_mm) v = turn * v;
+  const auto stock = Stock::solid(mesh, 0.1);
+  ASSERT_TRUE(stock) << stock.error().message;
+  EXPECT_NEAR(stock->volume_mm3(), 3000.0, 0.002 * 3000.0);
+  mesh.triangles.pop_back();
+  const auto open = Stock::solid(mesh, 0.1);
+  ASSERT_FALSE(open);
+  EXPECT_EQ(open.error().code, "stock-not-closed");
+  EXPECT_FALSE(Stock::solid({}, 0.1));
+}
+
+TEST(Stock, SkinIsClosedAndHoldsTheVolume) {
+  Stock stock = Stock::box({0, 0, 0}, {20, 16, 10}, 0.25);
+  removed(stock, test::ball(4, 20), {at({-6, 8, 6}), at({26, 9, 7}, Vec3(0, 0.3, 1).normalized())});
+  const auto skin = stock.skin();
+  EXPECT_NEAR(mesh_volume(skin), stock.volume_mm3(), 0.01 * stock.volume_mm3());
+  std::map<std::pair<int, int>, int> edges;  // every edge runs once each way
+  for (const auto& t : skin.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+  }
+  for (const auto& [edge, count] : edges) {
+    ASSERT_EQ(count, (edges[{edge.second, edge.first}])) << edge.first << " " << edge.second;
+  }
+}
+
+TEST(Stock, DoesNotDependOnTheNumberOfThreads) {
+  const std::vector<SweptPose> poses{at({0, 5, 7}), at({20, 12, 6}, Vec3(0.2, 0, 1).normalized()), at({3, 18, 5})};
+  Stock many = Stock::box({0, 0, 0}, {20, 20, 10}, 0.2), single = many;
+  const auto a = many.cut(test::ball(3, 20), poses, 0.01);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(a, single.cut(test::ball(3, 20), poses, 0.01));
+  EXPECT_EQ(many.volume_mm3(), single.volume_mm3());
+}
+
+kinematics::Tool tool() {
+  kinematics::Tool t;
+  t.cutter = test::ball(3, 12);
+  t.shank_radius_mm = 3;
+  t.stick_out_mm = 20;
+  t.holder = {{15, 15, 20, 20}};
+  return t;
+}
+
+TEST(StockRun, VolumesByLineAddUp) {
+  Stock stock = Stock::box({0, 0, 0}, {40, 40, 20}, 0.25);
+  const std::vector<SweptPose> poses{at({-5, 10, 18}, Vec3::UnitZ(), 1), at({45, 10, 18}, Vec3::UnitZ(), 2),
+                                     at({45, 20, 18}, Vec3::UnitZ(), 3), at({-5, 20, 18}, Vec3::UnitZ(), 4)};
+  const auto report = run_through_stock(stock, tool(), poses, {});
+  double sum = 0.0;
+  for (const auto& l : report.removed) sum += l.removed_mm3;
+  EXPECT_NEAR(report.first_mm3 - report.left_mm3, sum, 1e-6 * report.first_mm3);
+  ASSERT_EQ(report.removed.size(), 2u);
+  EXPECT_EQ(report.removed[0].line, 2);
+  EXPECT_EQ(report.removed[1].line, 4);
+  EXPECT_TRUE(report.findings.empty());
+}
+
+TEST(StockRun, ARapidThroughStockAndAHolderInItAreFound) {
+  Stock stock = Stock::box({0, 0, 0}, {40, 40, 20}, 0.25);
+  const auto rapid = run_through_stock(
+      stock, tool(),
+      std::vector<SweptPose>{at({-5, 10, 18}, Vec3::UnitZ(), 1, true), at({45, 10, 18}, Vec3::UnitZ(), 2, true)}, {});
+  ASSERT_EQ(rapid.findings.size(), 1u);
+  EXPECT_EQ(rapid.findings[0].axis_or_pair, "cutter-stock");
+  EXPECT_EQ(rapid.findings[0].line, 2);
+  Stock deep = Stock::box({0, 0, 0}, {40, 40, 40}, 0.25);
+  const auto holder = run_through_stock(
+      deep, tool(), std::vector<SweptPose>{at({-30, 20, 15}, Vec3::UnitZ(), 1), at({10, 20, 15}, Vec3::UnitZ(), 2)},
+      {});
+  ASSERT_FALSE(holder.findings.empty());
+  bool found = false;
+  for (const auto& f : holder.findings) found = found || f.axis_or_pair == "holder-stock";
+  EXPECT_TRUE(found);
+}
+
+}  // namespace
+}  // namespace volute::sim
