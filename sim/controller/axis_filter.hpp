@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "kinematics/model/machine.hpp"
+#include "sim/trace.hpp"
 
 namespace volute::sim {
 
@@ -11,18 +11,15 @@ namespace volute::sim {
 /// differences of the inputs, so that no rounding of a running sum enters them.
 class AxisFilter {
  public:
-  struct Output {
-    kinematics::AxisVector position, velocity, acceleration, jerk;
-  };
-
   /// The axes have rested at `position` for ever. Requires: n >= 1.
   void rest(int n, double period_s, const kinematics::AxisVector& position);
-  void push(const kinematics::AxisVector& position, Output& output);
+  /// Sets position, velocity, acceleration and jerk of `sample`.
+  void push(const kinematics::AxisVector& position, AxisSample& sample);
   [[nodiscard]] int length() const { return n_; }
 
  private:
   int n_ = 1;
-  double per_period_ = 0.0, period_s_ = 0.0;
+  double period_s_ = 0.0, cycles_per_s_ = 0.0, windows_per_s_ = 0.0;
   std::vector<kinematics::AxisVector> ring_;  ///< the last n inputs, oldest at next_
   std::size_t next_ = 0;
   kinematics::AxisVector mean_, velocity_, acceleration_;

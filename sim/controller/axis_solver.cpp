@@ -25,7 +25,8 @@ AxisSolver::AxisSolver(const kinematics::Machine& machine, const kinematics::Set
     : machine_(machine),
       part_in_machine_(setup.part_in_machine),
       machine_in_part_(setup.part_in_machine.inverse()),
-      tool_length_mm_(tool_length_mm) {
+      tip_at_zero_M_mm_(machine.gauge_at_zero_M * Vec3(0.0, 0.0, -tool_length_mm)),
+      tool_at_zero_M_(machine.gauge_at_zero_M.linear().col(2)) {
   for (const int axis : machine.chain) {
     if (axis < 3) continue;
     master_ = axis;
@@ -35,24 +36,72 @@ AxisSolver::AxisSolver(const kinematics::Machine& machine, const kinematics::Set
   slave_at_pole_rad_ = pole_of_slave();
 }
 
+// Every axis moves what follows it, so the motion before it turns its direction and carries its point.
+AxisSolver::Walk AxisSolver::walk(const AxisVector& q) const {
+  Walk walk;
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  Vec3 shift = Vec3::Zero();
+  for (const int axis : machine_.chain) {
+    const auto i = static_cast<std::size_t>(axis);
+    const kinematics::Axis& a = machine_.axes[i];
+    const double way = q[axis] - a.zero;
+    walk.direction[i].noalias() = turn * a.direction_M;
+    if (a.kind == kinematics::AxisKind::linear) {
+      shift += way * walk.direction[i];
+      continue;
+    }
+    walk.point[i] = turn * a.point_M_mm + shift;
+    const double c = std::cos(way), s = std::sin(way);
+    const Vec3& d = walk.direction[i];
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 column = turn.col(k);
+      turn.col(k) = c * column + s * d.cross(column) + (1.0 - c) * d.dot(column) * d;
+    }
+    shift = walk.point[i] - turn * a.point_M_mm;
+  }
+  walk.tip = turn * tip_at_zero_M_mm_ + shift;
+  walk.tool.noalias() = turn * tool_at_zero_M_;
+  return walk;
+}
+
+TipRates AxisSolver::rates_of(const Walk& walk) const {
+  TipRates rates;
+  for (int axis = 0; axis < kinematics::axis_count; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    if (machine_.axes[i].kind == kinematics::AxisKind::linear)
+      rates.col(axis) = walk.direction[i];
+    else
+      rates.col(axis) = walk.direction[i].cross(walk.tip - walk.point[i]);
+  }
+  return rates;
+}
+
 AxisSolver::State AxisSolver::state(const AxisVector& q) const {
-  const kinematics::Transform X_MT = kinematics::forward(machine_, tool_length_mm_, q);
-  return {machine_in_part_ * X_MT.translation(), machine_in_part_.linear() * X_MT.linear().col(2),
-          kinematics::jacobian(machine_, tool_length_mm_, q).topRows<3>()};
+  const Walk at = walk(q);
+  return {machine_in_part_ * at.tip, machine_in_part_.linear() * at.tool, rates_of(at)};
 }
 
 std::optional<AxisVector> AxisSolver::with_tip(const Vec3& tip_P_mm, const AxisVector& q, TipRates* tip_rates) const {
-  const Vec3 tip_M_mm = kinematics::forward(machine_, tool_length_mm_, q).translation();
-  const TipRates rates = kinematics::jacobian(machine_, tool_length_mm_, q).topRows<3>();
-  const Eigen::Matrix3d linear = rates.leftCols<3>();
+  Walk at = walk(q);
+  Eigen::Matrix3d linear;
+  for (std::size_t i = 0; i < 3; ++i) linear.col(static_cast<int>(i)) = at.direction[i];
   if (std::abs(linear.determinant()) < 1e-9) return std::nullopt;
-  const Vec3 missing_mm = part_in_machine_ * tip_P_mm - tip_M_mm;
+  const Vec3 tip_M_mm = part_in_machine_ * tip_P_mm;
+  const Vec3 step = linear.inverse() * (tip_M_mm - at.tip);
   AxisVector solved = q;
-  const Vec3 step = linear.inverse() * missing_mm;
   solved.head<3>() += step;
-  // The rotaries' columns change by w x (what the tip moved); linear axes beyond a rotary move its line along, which
-  // takes its share back.
-  if (tip_rates) *tip_rates = kinematics::jacobian(machine_, tool_length_mm_, solved).topRows<3>();
+  if (!tip_rates) return solved;
+  // A linear axis carries the tip and the lines of the rotaries that follow it.
+  at.tip = tip_M_mm;
+  Vec3 carried = Vec3::Zero();
+  for (const int axis : machine_.chain) {
+    const auto i = static_cast<std::size_t>(axis);
+    if (machine_.axes[i].kind == kinematics::AxisKind::linear)
+      carried += step[axis] * at.direction[i];
+    else
+      at.point[i] += carried;
+  }
+  *tip_rates = rates_of(at);
   return solved;
 }
 
@@ -61,10 +110,10 @@ std::optional<AxisVector> AxisSolver::with_tip(const Vec3& tip_P_mm, const AxisV
 double AxisSolver::pole_of_slave() const {
   AxisVector q = AxisVector::Zero();
   q[slave_] = machine_.axes[static_cast<std::size_t>(slave_)].zero;
-  const auto jac = kinematics::jacobian(machine_, tool_length_mm_, q);
-  const Vec3 master_line = jac.block<3, 1>(3, master_);
-  const Vec3 slave_line = jac.block<3, 1>(3, slave_);
-  const Vec3 tool = kinematics::forward(machine_, tool_length_mm_, q).linear().col(2);
+  const Walk at = walk(q);
+  const Vec3& master_line = at.direction[static_cast<std::size_t>(master_)];
+  const Vec3& slave_line = at.direction[static_cast<std::size_t>(slave_)];
+  const Vec3& tool = at.tool;
   // master . (rotation of tool about slave_line by t) = const + a cos t + b sin t: greatest at atan2(b, a), least half
   // a turn on.
   const double a = master_line.dot(tool) - master_line.dot(slave_line) * slave_line.dot(tool);
@@ -78,13 +127,13 @@ double AxisSolver::pole_of_slave() const {
 // master alone.
 std::optional<std::array<double, 2>> AxisSolver::newton(const Vec3& axis_M, AxisVector q) const {
   for (int iteration = 0; iteration < 60; ++iteration) {
-    const Vec3 tool = kinematics::forward(machine_, tool_length_mm_, q).linear().col(2);
+    const Walk at = walk(q);
+    const Vec3 tool = at.tool;
     const double error = (tool - axis_M).norm();
     if (error <= direction_accuracy_rad) return std::array<double, 2>{q[3], q[4]};
-    const auto jac = kinematics::jacobian(machine_, tool_length_mm_, q);
     Eigen::Matrix<double, 3, 2> columns;
-    columns.col(0) = jac.block<3, 1>(3, 3).cross(tool);
-    columns.col(1) = jac.block<3, 1>(3, 4).cross(tool);
+    columns.col(0) = at.direction[3].cross(tool);
+    columns.col(1) = at.direction[4].cross(tool);
     Eigen::Matrix2d normal = columns.transpose() * columns;
     normal.diagonal().array() += error > 0.1 ? 1e-3 : 1e-6 * error * error + 1e-24;
     Eigen::Vector2d step = normal.inverse() * (columns.transpose() * (axis_M - tool));

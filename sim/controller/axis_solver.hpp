@@ -8,8 +8,8 @@
 
 namespace volute::sim {
 
-/// What a TCP control computes at every point. Uses forward() and jacobian() only, so that closed-form inverse
-/// kinematics elsewhere are judged by something that shares nothing with them.
+/// What a TCP control computes at every point: one walk along the chain, a solve of 3 x 3, Newton's steps. Closed-form
+/// inverse kinematics elsewhere are so judged by something that shares nothing with them.
 class AxisSolver {
  public:
   /// `machine` must outlive the solver.
@@ -34,14 +34,21 @@ class AxisSolver {
   [[nodiscard]] std::optional<std::array<double, 2>> rotaries_along(const Vec3& axis_P, const AxisVector& q) const;
 
  private:
+  /// The chain at one position: directions of all axes and the rotaries' points in M, tip and tool axis.
+  struct Walk {
+    std::array<Vec3, kinematics::axis_count> direction, point;
+    Vec3 tip, tool;
+  };
+  [[nodiscard]] Walk walk(const AxisVector& q) const;
+  [[nodiscard]] TipRates rates_of(const Walk& walk) const;
   [[nodiscard]] std::optional<std::array<double, 2>> newton(const Vec3& axis_M, AxisVector q) const;
   [[nodiscard]] double pole_of_slave() const;
 
   const kinematics::Machine& machine_;
   kinematics::Transform part_in_machine_, machine_in_part_;
-  double tool_length_mm_;
   int master_ = 3, slave_ = 4;
   double slave_at_pole_rad_ = 0.0;
+  Vec3 tip_at_zero_M_mm_, tool_at_zero_M_;
 };
 
 }  // namespace volute::sim

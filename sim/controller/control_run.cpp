@@ -31,7 +31,7 @@ class ControlRun {
         rapid_limits_(motion_limits(*setup.machine, *setup.control, no_limit)),
         rounder_(feed_limits_, rapid_limits_, start_),
         profile_(std::max(1, setup.control->look_ahead_blocks)),
-        statistics_(*setup.machine, setup.control->servo_period_s),
+        statistics_(*setup.machine, setup.control->servo_period_s, true),
         sampler_(*setup.machine, *setup.control, start_, sink, statistics_) {}
 
   Result<void> add(const MotionBlock& block) {

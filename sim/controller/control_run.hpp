@@ -15,7 +15,10 @@
 namespace volute::sim {
 
 struct AxisPeaks {
-  double velocity_max = 0.0, acceleration_max = 0.0, jerk_max = 0.0, following_error_max = 0.0, limit_ratio_max = 0.0;
+  double velocity_max = 0.0, acceleration_max = 0.0, jerk_max = 0.0, following_error_max = 0.0;
+  /// Of velocity, acceleration and jerk to the axis's limits; jerk counts where the control limits it.
+  double limit_ratio_max = 0.0;
+
   double position_min = 0.0, position_max = 0.0;
 };
 

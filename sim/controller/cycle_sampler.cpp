@@ -6,14 +6,9 @@
 
 namespace volute::sim {
 
-namespace {
-constexpr std::size_t chunk_samples = 512;
-}
-
 CycleSampler::CycleSampler(const kinematics::Machine& machine, const kinematics::Control& control,
                            const AxisVector& start, const SampleSink& sink, RunStatistics& statistics)
     : period_s_(control.servo_period_s), servo_(machine, control), sink_(sink), statistics_(statistics), at_(start) {
-  chunk_.reserve(chunk_samples);
   filter_.rest(1, period_s_, at_);
   marks_.assign(1, Mark{});
 }
@@ -58,16 +53,11 @@ void CycleSampler::push(const AxisVector& q, const Mark& mark) {
   marks_[next_mark_] = mark;
   if (++next_mark_ == marks_.size()) next_mark_ = 0;
   const Mark& middle = marks_[next_mark_];
-  AxisSample& sample = chunk_.emplace_back();
-  AxisFilter::Output output;
-  filter_.push(q, output);
+  AxisSample& sample = chunk_[filled_++];
+  filter_.push(q, sample);
   sample.time_s = static_cast<double>(cycle_++) * period_s_;
-  sample.position = output.position;
-  sample.velocity = output.velocity;
-  sample.acceleration = output.acceleration;
-  sample.jerk = output.jerk;
-  const AxisVector& error = servo_.step(output.velocity);
-  sample.actual = output.position - error;
+  const AxisVector& error = servo_.step(sample.velocity);
+  sample.actual = sample.position - error;
   sample.line = middle.line;
   sample.tip_speed_mm_s = static_cast<double>(middle.tip_speed_mm_s);
   sample.limit = middle.limit;
@@ -75,7 +65,7 @@ void CycleSampler::push(const AxisVector& q, const Mark& mark) {
   sample.rapid = middle.rapid;
   sample.cutting = middle.cutting;
   statistics_.add_sample(sample, error, tip_rates_);
-  if (chunk_.size() == chunk_samples) flush();
+  if (filled_ == chunk_.size()) flush();
 }
 
 // The axes rest when the average has taken in nothing but the last position.
@@ -103,8 +93,8 @@ void CycleSampler::finish() {
 }
 
 void CycleSampler::flush() {
-  if (!chunk_.empty() && sink_) sink_(std::span<const AxisSample>(chunk_));
-  chunk_.clear();
+  if (filled_ > 0 && sink_) sink_(std::span<const AxisSample>(chunk_.data(), filled_));
+  filled_ = 0;
 }
 
 }  // namespace volute::sim

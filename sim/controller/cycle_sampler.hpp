@@ -1,6 +1,7 @@
 // The timed path, read at every interpolation cycle, averaged, and followed by the servos.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -48,7 +49,8 @@ class CycleSampler {
   std::int64_t cycle_ = 0;
   std::vector<Mark> marks_;  ///< of the cycles within half the filter: marks travel with the middle of the average
   std::size_t next_mark_ = 0;
-  std::vector<AxisSample> chunk_;
+  std::array<AxisSample, 128> chunk_;  ///< small enough to stay near the processor
+  std::size_t filled_ = 0;
   const TipRates* tip_rates_ = nullptr;
 };
 

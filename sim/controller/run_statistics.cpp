@@ -39,8 +39,8 @@ const char* cause_of(Limit limit) {
 
 }  // namespace
 
-RunStatistics::RunStatistics(const kinematics::Machine& machine, double period_s)
-    : machine_(machine), period_s_(period_s) {
+RunStatistics::RunStatistics(const kinematics::Machine& machine, double period_s, bool holds_jerk)
+    : machine_(machine), period_s_(period_s), holds_jerk_(holds_jerk) {
   velocity_.setZero();
   acceleration_.setZero();
   jerk_.setZero();
@@ -96,22 +96,26 @@ void RunStatistics::end_block(const BlockInfo& block) {
 
 void RunStatistics::add_sample(const AxisSample& sample, const AxisVector& following_error, const TipRates* tip_rates) {
   ++report_.samples;
-  velocity_ = velocity_.cwiseMax(sample.velocity.cwiseAbs());
-  acceleration_ = acceleration_.cwiseMax(sample.acceleration.cwiseAbs());
-  jerk_ = jerk_.cwiseMax(sample.jerk.cwiseAbs());
-  error_ = error_.cwiseMax(following_error.cwiseAbs());
-  lowest_ = lowest_.cwiseMin(sample.position);
-  highest_ = highest_.cwiseMax(sample.position);
-  if ((sample.position.array() < travel_min_.array()).any() || (sample.position.array() > travel_max_.array()).any())
+  bool outside = false;
+  for (int i = 0; i < axes; ++i) {
+    velocity_[i] = std::max(velocity_[i], std::abs(sample.velocity[i]));
+    acceleration_[i] = std::max(acceleration_[i], std::abs(sample.acceleration[i]));
+    jerk_[i] = std::max(jerk_[i], std::abs(sample.jerk[i]));
+    error_[i] = std::max(error_[i], std::abs(following_error[i]));
+    lowest_[i] = std::min(lowest_[i], sample.position[i]);
+    highest_[i] = std::max(highest_[i], sample.position[i]);
+    outside |= (sample.position[i] < travel_min_[i]) | (sample.position[i] > travel_max_[i]);
+  }
+  if (outside)
     check_travel(sample);
   else
     outside_ = {};
-  if (!tip_rates || sample.rapid) return;
+  if (!tip_rates || sample.rapid || following_error.isZero(0.0)) return;
+  // At rest the tip still stands behind along the way it came.
   const Vec3 error = *tip_rates * following_error, along = *tip_rates * sample.velocity;
-  const double speed_sq = along.squaredNorm();
-  const double across_sq =
-      speed_sq > 1e-6 ? error.squaredNorm() - error.dot(along) * error.dot(along) / speed_sq : error.squaredNorm();
-  contour_error_sq_ = std::max(contour_error_sq_, across_sq);
+  const double speed = along.norm();
+  if (speed > 1e-3) tip_direction_ = along / speed;
+  contour_error_sq_ = std::max(contour_error_sq_, (error - error.dot(tip_direction_) * tip_direction_).squaredNorm());
 }
 
 void RunStatistics::check_travel(const AxisSample& sample) {
@@ -153,7 +157,8 @@ RunReport RunStatistics::report() const {
     peaks.jerk_max = jerk_[i];
     peaks.following_error_max = error_[i];
     peaks.limit_ratio_max = std::max(velocity_[i] / axis.velocity_max, acceleration_[i] / axis.acceleration_max);
-    if (axis.jerk_max > 0.0) peaks.limit_ratio_max = std::max(peaks.limit_ratio_max, jerk_[i] / axis.jerk_max);
+    if (holds_jerk_ && axis.jerk_max > 0.0)
+      peaks.limit_ratio_max = std::max(peaks.limit_ratio_max, jerk_[i] / axis.jerk_max);
     peaks.position_min = report.samples > 0 ? lowest_[i] : 0.0;
     peaks.position_max = report.samples > 0 ? highest_[i] : 0.0;
   }

@@ -12,7 +12,8 @@ namespace volute::sim {
 
 class RunStatistics {
  public:
-  RunStatistics(const kinematics::Machine& machine, double period_s);
+  /// `holds_jerk`: the control limits it; else it is left out of limit_ratio_max.
+  RunStatistics(const kinematics::Machine& machine, double period_s, bool holds_jerk);
 
   void add_time(BlockInfo& block, Limit limit, int axis, double time_s);
   void add_stop(double time_s) { stop_s_ += time_s; }
@@ -27,6 +28,7 @@ class RunStatistics {
 
   const kinematics::Machine& machine_;
   double period_s_;
+  bool holds_jerk_;
   RunReport report_;
   double programmed_s_ = 0.0;
   double stop_s_ = 0.0, dwell_s_ = 0.0, rapid_s_ = 0.0;
@@ -36,6 +38,7 @@ class RunStatistics {
       travel_min_, travel_max_;
   std::array<bool, kinematics::axis_count> outside_{};
   double contour_error_sq_ = 0.0;
+  Vec3 tip_direction_ = Vec3::Zero();  ///< in which the tip moved last
 };
 
 }  // namespace volute::sim

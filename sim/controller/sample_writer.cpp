@@ -3,8 +3,7 @@
 namespace volute::sim {
 
 void SampleWriter::push(const AxisVector& position, const SampleMark& mark) {
-  constexpr std::size_t chunk_samples = 512;
-  AxisSample& sample = chunk_.emplace_back();
+  AxisSample& sample = chunk_[filled_++];
   sample.time_s = static_cast<double>(cycle_++) * period_s_;
   sample.position = position;
   sample.velocity = (position - position_) / period_s_;
@@ -22,12 +21,12 @@ void SampleWriter::push(const AxisVector& position, const SampleMark& mark) {
   velocity_ = sample.velocity;
   acceleration_ = sample.acceleration;
   statistics_.add_sample(sample, error, nullptr);
-  if (chunk_.size() == chunk_samples) finish();
+  if (filled_ == chunk_.size()) finish();
 }
 
 void SampleWriter::finish() {
-  if (!chunk_.empty() && sink_) sink_(std::span<const AxisSample>(chunk_));
-  chunk_.clear();
+  if (filled_ > 0 && sink_) sink_(std::span<const AxisSample>(chunk_.data(), filled_));
+  filled_ = 0;
 }
 
 }  // namespace volute::sim

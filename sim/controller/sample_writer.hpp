@@ -1,7 +1,7 @@
 // Axis positions of each cycle, with their derivatives, servo error and marks, handed out in chunks.
 #pragma once
 
-#include <vector>
+#include <array>
 
 #include "sim/controller/run_statistics.hpp"
 #include "sim/controller/servo.hpp"
@@ -41,7 +41,8 @@ class SampleWriter {
   RunStatistics& statistics_;
   AxisVector position_, velocity_, acceleration_;
   std::int64_t cycle_ = 0;
-  std::vector<AxisSample> chunk_;
+  std::array<AxisSample, 128> chunk_;  ///< small enough to stay near the processor
+  std::size_t filled_ = 0;
 };
 
 }  // namespace volute::sim

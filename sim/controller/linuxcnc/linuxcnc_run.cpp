@@ -4,6 +4,7 @@
 #include <deque>
 #include <numbers>
 
+#include "geometry/number_text.hpp"
 #include "sim/controller/block_geometry.hpp"
 #include "sim/controller/linuxcnc/planner.hpp"
 #include "sim/controller/run_statistics.hpp"
@@ -71,7 +72,8 @@ class Run {
         geometry_(*setup.machine, *setup.control, setup.setup, setup.tool_length_mm, start_),
         planner_(limits_of(*setup.machine, *setup.control), {}),
         canon_(bounds_of(*setup.machine), {}),
-        statistics_(*setup.machine, setup.control->servo_period_s),
+        machine_(*setup.machine),
+        statistics_(*setup.machine, setup.control->servo_period_s, false),
         writer_(*setup.machine, *setup.control, start_, sink, statistics_) {
     stand_in_frame(false);
     older_[0] = older_[1] = older_[2] = start_;
@@ -108,13 +110,25 @@ class Run {
     rest();
     for (const BlockInfo& block : blocks_) statistics_.end_block(block);
     writer_.finish();
-    return statistics_.report();
+    RunReport report = statistics_.report();
+    warn_of_jerk(report);
+    return report;
   }
 
  private:
   void queue(const Move& move) {
     while (planner_.full()) cycle();
     planner_.add(move);
+  }
+
+  void warn_of_jerk(RunReport& report) const {
+    for (std::size_t i = 0; i < report.axes.size(); ++i) {
+      const kinematics::Axis& axis = machine_.axes[i];
+      const double ratio = axis.jerk_max > 0.0 ? report.axes[i].jerk_max / axis.jerk_max : 0.0;
+      if (ratio > 1.0)
+        report.warnings.push_back(std::string("this control limits no jerk: axis ") + axis.letter + " reaches " +
+                                  geometry::short_text(ratio, 3) + " times the jerk that the machine file allows");
+    }
   }
 
   /// Lengths and times that the report compares with.
@@ -209,6 +223,7 @@ class Run {
   BlockGeometry geometry_;
   Planner planner_;
   Canon canon_;
+  const kinematics::Machine& machine_;
   RunStatistics statistics_;
   SampleWriter writer_;
   std::deque<BlockInfo> blocks_;
