@@ -12,6 +12,7 @@ namespace volute::planner {
 namespace {
 
 constexpr double length_ratio_max = 12.0;  ///< over the lower bound; above, the minimum of eq. 13 is not meant
+constexpr double periodic_ratio_max = 5.0;
 constexpr double least_quantile = 0.01;
 constexpr int turn_bins = 256;
 
@@ -101,33 +102,80 @@ double chosen_increment(const Annulus& annulus, const RectangleMap& map, const I
 /// greatest 1 / (allowed interval * |grad height|) at that height.
 class TurnProfile {
  public:
-  TurnProfile(const TriangleMesh& ring, const std::vector<double>& height, const IntervalField& intervals) {
+  TurnProfile(const TriangleMesh& ring, const std::vector<double>& height, const IntervalField& intervals)
+      : demand_(turn_bins) {
     const auto operators = triangle_operators(ring);
     const auto slopes = gradient(ring, operators, height);
-    std::vector<double> demand(turn_bins, 0.0);
     for (std::size_t t = 0; t < operators.size(); ++t) {
       const double slope = slopes[t].norm();
+      if (slope == 0.0) continue;
       const Vec3 across = operators[t].to_space(slopes[t] / slope);
       const double needed = 1.0 / (intervals.interval_mm(static_cast<Index>(t), across) * slope);
       const auto [low, high] = std::minmax(
           {height[at(ring.triangles[t][0])], height[at(ring.triangles[t][1])], height[at(ring.triangles[t][2])]});
-      for (int bin = bin_of(low); bin <= bin_of(high); ++bin) demand[at(bin)] = std::max(demand[at(bin)], needed);
+      const int first = bin_of(low), last = bin_of(high);
+      // The level lines' length inside the triangle (coarea formula), shared by the bins that it spans.
+      const double length = operators[t].area_mm2 * slope / (last - first + 1);
+      for (int bin = first; bin <= last; ++bin) demand_[at(bin)].push_back({needed, length});
     }
-    turns_.push_back(0.0);
-    for (double d : demand) turns_.push_back(turns_.back() + d / turn_bins);
+    for (auto& bin : demand_)
+      std::sort(bin.begin(), bin.end(),
+                [](const Demand& a, const Demand& b) { return a.turns_per_height > b.turns_per_height; });
+  }
+
+  /// Meets the demand of each height on all but a share of the level lines' length; 0: everywhere.
+  void meet(double all_but_share) {
+    turns_.assign(1, 0.0);
+    length_mm_ = 0.0;
+    for (const auto& bin : demand_) {
+      const double turns = demanded(bin, all_but_share) / turn_bins;
+      for (const Demand& d : bin) length_mm_ += d.length_mm * turns * turn_bins;
+      turns_.push_back(turns_.back() + turns);
+    }
   }
   [[nodiscard]] double turns(double height) const {
     const int bin = bin_of(height);
     const double share = height * turn_bins - bin;
     return turns_[at(bin)] + share * (turns_[at(bin + 1)] - turns_[at(bin)]);
   }
+  /// Of the path along the level lines.
+  [[nodiscard]] double length_mm() const { return length_mm_; }
 
  private:
+  struct Demand {
+    double turns_per_height = 0.0, length_mm = 0.0;
+  };
   static int bin_of(double height) {
     return std::clamp(static_cast<int>(std::floor(height * turn_bins)), 0, turn_bins - 1);
   }
-  std::vector<double> turns_;  ///< at the bins' borders
+
+  static double demanded(const std::vector<Demand>& bin, double all_but_share) {
+    double total = 0.0, above = 0.0;
+    for (const Demand& d : bin) total += d.length_mm;
+    for (const Demand& d : bin) {
+      above += d.length_mm;
+      if (above > all_but_share * total) return d.turns_per_height;
+    }
+    return bin.empty() ? 0.0 : bin.back().turns_per_height;
+  }
+
+  std::vector<std::vector<Demand>> demand_;  ///< by height, greatest first
+  std::vector<double> turns_;                ///< at the bins' borders
+  double length_mm_ = 0.0;
 };
+
+/// Meets every demand, or leaves out as small a share as keeps the length within reason.
+void meet_demands(TurnProfile& profile, const IntervalField& intervals, GuideField& out) {
+  const double longest_mm = periodic_ratio_max * intervals.lower_bound_mm();
+  profile.meet(0.0);
+  if (profile.length_mm() <= longest_mm) return;
+  const double turns = profile.turns(1.0);
+  double share = 0.001;
+  for (profile.meet(share); share < 0.5 && profile.length_mm() > longest_mm; profile.meet(share)) share *= 1.5;
+  out.notes.push_back("periodic: meeting the allowed interval everywhere takes " + geometry::short_text(turns, 4) +
+                      " turns, over " + geometry::short_text(periodic_ratio_max) + " times the shortest length; " +
+                      geometry::short_text(100.0 * share, 2) + " % of each turn keeps higher scallops");
+}
 
 }  // namespace
 
@@ -152,7 +200,8 @@ Result<GuideField> periodic_guide(const Annulus& annulus, const IntervalField& i
   if (!map) return tl::unexpected(map.error());
   GuideField out;
   out.quality = map->quality;
-  const TurnProfile profile(annulus.ring, map->height, intervals);
+  TurnProfile profile(annulus.ring, map->height, intervals);
+  meet_demands(profile, intervals, out);
   for (double h : map->height) out.turns.push_back(profile.turns(h));
   out.turn_count = profile.turns(1.0);
   out.map.resize(annulus.sheet.vertices_mm.size());

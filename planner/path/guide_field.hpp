@@ -26,8 +26,9 @@ struct GuideField {
 /// least, that avoids this is left out of the minimum, and a note says so. Errors: as rectangle_map.
 Result<GuideField> paper_guide(const Annulus& annulus, const IntervalField& intervals);
 
-/// Cylinder map without a seam; the increment of each turn is the smallest that its own turn needs.
-/// Errors: as cylinder_map.
+/// Cylinder map without a seam; the increment of each turn is the smallest that its own turn needs. Where that makes
+/// the path longer than 5 times its lower bound, the smallest share of each turn that avoids it keeps higher scallops,
+/// and a note says so. Errors: as cylinder_map.
 Result<GuideField> periodic_guide(const Annulus& annulus, const IntervalField& intervals);
 
 }  // namespace volute::planner

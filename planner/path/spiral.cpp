@@ -72,13 +72,9 @@ std::vector<LevelLine> guide_lines(const Annulus& annulus, const MeshTopology& t
 class BoundaryArc {
  public:
   BoundaryArc(const std::vector<Index>& loop, const std::vector<double>& around)
-      : loop_(loop), origin_(around[at(loop.front())]) {
+      : loop_(loop), share_(turns_along(loop, around)) {
     double reached = 0.0;
-    for (Index v : loop) {
-      const double x = around[at(v)] - origin_;
-      reached = std::max(reached, v == loop.front() ? 0.0 : x - std::floor(x));
-      share_.push_back(reached);
-    }
+    for (double& share : share_) share = reached = std::clamp(share, reached, 1.0);
   }
 
   /// Where on the loop a place inside one of its edges lies, 0 to 1; nothing when it is on another boundary.
@@ -108,7 +104,6 @@ class BoundaryArc {
 
  private:
   const std::vector<Index>& loop_;
-  double origin_;
   std::vector<double> share_;
 };
 

@@ -155,21 +155,38 @@ Result<std::vector<double>> harmonic_height(const Annulus& annulus, const Sparse
   return std::vector<double>(solved->col(0).begin(), solved->col(0).end());
 }
 
-/// Turn values around a loop from the seam on, made to rise from `turn[first]` to one turn more with steps of at least
-/// 1e-6.
-std::vector<double> monotone_around(const std::vector<Index>& loop, const std::vector<double>& turn) {
-  std::vector<double> values;
-  const double first = turn[at(loop.front())];
-  for (Index v : loop) {
-    const double x = turn[at(v)] - first;
-    values.push_back(x - std::floor(x));
+/// The rising sequence nearest to `x` in the mean square (pool adjacent violators).
+std::vector<double> nearest_rising(const std::vector<double>& x) {
+  struct Pool {
+    double sum;
+    std::size_t count;
+    [[nodiscard]] double mean() const { return sum / static_cast<double>(count); }
+  };
+  std::vector<Pool> pools;
+  for (double value : x) {
+    pools.push_back({value, 1});
+    while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
+      pools[pools.size() - 2].sum += pools.back().sum;
+      pools[pools.size() - 2].count += pools.back().count;
+      pools.pop_back();
+    }
   }
-  values.front() = 0.0;
-  const double step = 1e-3 / static_cast<double>(loop.size());
-  for (std::size_t i = 1; i < values.size(); ++i) values[i] = std::max(values[i], values[i - 1] + step);
-  for (std::size_t i = values.size(); i-- > 0;)
-    values[i] = std::min(values[i], 1.0 - step * static_cast<double>(values.size() - i));
-  for (double& x : values) x += first;
+  std::vector<double> rising;
+  for (const Pool& pool : pools) rising.insert(rising.end(), pool.count, pool.mean());
+  return rising;
+}
+
+/// Turn values around a loop from the seam on, changed as little as makes them rise strictly by one turn.
+std::vector<double> monotone_around(const std::vector<Index>& loop, const std::vector<double>& turn) {
+  const std::vector<double> x = turns_along(loop, turn);
+  const double step = 1e-2 / static_cast<double>(loop.size());  // the least rise from vertex to vertex
+  std::vector<double> free_part;
+  for (std::size_t i = 0; i < x.size(); ++i) free_part.push_back(x[i] - step * static_cast<double>(i));
+  std::vector<double> values = nearest_rising(free_part);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double share = std::clamp(values[i], 0.0, 1.0 - step * static_cast<double>(values.size()));
+    values[i] = turn[at(loop.front())] + (i == 0 ? 0.0 : share + step * static_cast<double>(i));
+  }
   return values;
 }
 
@@ -223,6 +240,15 @@ Result<void> fix_turn_at_boundaries(const Annulus& annulus, const SparseMatrix& 
 }
 
 }  // namespace
+
+std::vector<double> turns_along(const std::vector<Index>& loop, const std::vector<double>& turn) {
+  std::vector<double> along{0.0};
+  for (std::size_t i = 1; i < loop.size(); ++i) {
+    const double step = turn[at(loop[i])] - turn[at(loop[i - 1])];
+    along.push_back(along.back() + step - std::round(step));
+  }
+  return along;
+}
 
 Result<CylinderMap> cylinder_map(const Annulus& annulus) {
   const auto topology = MeshTopology::build(annulus.ring);

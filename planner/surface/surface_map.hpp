@@ -35,6 +35,10 @@ struct CylinderMap {
   MapQuality quality;
 };
 
+/// Turns passed along a boundary from its first vertex on, whole turns of the seam taken out of the steps.
+/// Requires: neighbours less than half a turn apart.
+std::vector<double> turns_along(const std::vector<Index>& loop, const std::vector<double>& turn);
+
 /// Height harmonic with both boundaries fixed, turn harmonic and free at both: together conformal. Where triangles
 /// flip, turn is fixed at the boundaries (made monotone) and negative weights are raised. Errors: as rectangle_map.
 /// Property: no triangle is flipped; neither coordinate depends on where the seam runs (unless turns had to be fixed).
