@@ -218,6 +218,14 @@ TEST(Path, AJumpInTheAirMayChangeBranchFreely) {
   EXPECT_EQ(result.report.rewinds, 0);
 }
 
+TEST(Path, StartsAtTheTurnWhereTheAxesStand) {
+  const Machine machine = testing::machine_named("ac-head");
+  AxisPathOptions options;
+  options.start = AxisVector(AxisVector::Zero());
+  (*options.start)[4] = 20.0 * pi + 0.3;
+  EXPECT_NEAR(solved(machine, circles(1, 60, 0.5), options).path.points.front().q[4], 20.0 * pi, pi);
+}
+
 TEST(Path, OutOfTravelIsRefusedWithTheReason) {
   const Machine machine = testing::machine_named("xyzbc-table");
   ToolPath path;
@@ -289,6 +297,17 @@ TEST_P(Linearization, StaysWithinTheToleranceWithoutTcp) {
   EXPECT_GT(result.report.chordal_error_mm, 1.0) << "12 steps of 30 degrees bow the tip";
   EXPECT_LE(result.report.chordal_error_after_mm, options.chordal_tolerance_mm);
   expect_within(machine, result.path, false, options.chordal_tolerance_mm, options.rotary_tolerance_rad);
+}
+
+TEST(LinearizationAtThePole, StaysWithinTheToleranceWhereTheDeviationIsLopsided) {
+  // Large steps past the pole: C turns mostly in the middle of each, so the deviation of the steps beside it leans to
+  // one end.
+  const Machine machine = testing::machine_named("ac-head");
+  const AxisPathOptions options;
+  for (const double miss : {0.004, 0.02, 0.05}) {
+    const AxisPathResult result = solved(machine, swing_through_pole(miss, 4), options);
+    expect_within(machine, result.path, true, options.chordal_tolerance_mm, options.rotary_tolerance_rad);
+  }
 }
 
 TEST_P(Linearization, StaysWithinTheToleranceWithTcp) {

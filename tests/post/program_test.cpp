@@ -173,6 +173,15 @@ TEST(Program, ShortestWayWordsStayWithinOneTurnAndNoStepReachesHalfATurn) {
   EXPECT_NEAR(wound, 3 * 360.0, 0.01);
 }
 
+TEST(Program, ShortestWayWordsAreNeverNegative) {
+  kinematics::Profile profile = testing::profile_named("ac-head-siemens");
+  EXPECT_THAT(posted(testing::request_for(testing::short_pass()), profile).text, HasSubstr("C-90.0000"));
+  profile.control.rotary_shortest_way = true;
+  const std::string text = posted(testing::request_for(testing::short_pass()), profile).text;
+  EXPECT_THAT(text, HasSubstr("A-20.0000 C270.0000")) << "A does not roll over";
+  EXPECT_THAT(text, Not(HasSubstr("C-")));
+}
+
 TEST(Program, LongTurnsAreSplitForTheShortWay) {
   kinematics::Profile profile = testing::profile_named("ac-head-fanuc");
   profile.control.rotary_shortest_way = true;
