@@ -126,6 +126,19 @@ Result<EvenSurface> EvenSurface::build(const TriangleMesh& given) {
   return EvenSurface{std::move(mesh), std::move(*topology), std::move(normals), std::move(curvature)};
 }
 
+Result<EvenSurface> EvenSurface::refined(double edge_max_mm) const {
+  auto fine = finer(mesh, edge_max_mm);
+  if (!fine) return tl::unexpected(fine.error());
+  auto fine_topology = MeshTopology::build(fine->mesh);
+  if (!fine_topology) return tl::unexpected(fine_topology.error());
+  EvenSurface out{std::move(fine->mesh), std::move(*fine_topology), vertex_normals, {}};
+  for (const auto& [a, b] : fine->ends) {
+    out.vertex_normals.push_back((out.vertex_normals[at(a)] + out.vertex_normals[at(b)]).normalized());
+  }
+  for (Index parent : fine->parent) out.curvature.push_back(curvature[at(parent)]);
+  return out;
+}
+
 Result<EvenDomain> even_domain(const EvenSurface& surface, const Centre& centre, double ramp_share) {
   VOLUTE_CHECK(ramp_share > 0.0 && ramp_share <= 1.0, ramp_share);
   Opened opened{surface.mesh, surface.vertex_normals, surface.curvature, {}};

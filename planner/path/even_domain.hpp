@@ -22,6 +22,9 @@ struct EvenSurface {
 
   /// Puts the mesh into memory order first. Errors: those of MeshTopology::build.
   static Result<EvenSurface> build(const TriangleMesh& mesh);
+  /// Edges halved down to `edge_max_mm`; new vertices take the mean of their ends' normals, triangles their parents'
+  /// curvature, so that a coarse mesh keeps its rounded look. Errors: those of MeshTopology::build.
+  [[nodiscard]] Result<EvenSurface> refined(double edge_max_mm) const;
 };
 
 /// A slit between two inner vertices.

@@ -30,7 +30,26 @@ Vec3 clamped_weight(const TriangleMesh& mesh, const TriangleOperator& o, Index t
   return w / w.sum();
 }
 
-Found find(const EvenDomain& domain, const PointGrid& middles, double reach_mm, const Vec3& place) {
+/// A mesh ready to be searched for the point nearest to a place.
+struct Searchable {
+  const TriangleMesh& mesh;
+  const std::vector<TriangleOperator>& operators;
+  std::vector<Vec3> middles;
+  double edge_mm = 0.0;  ///< usual length
+
+  Searchable(const TriangleMesh& searched, const std::vector<TriangleOperator>& of) : mesh(searched), operators(of) {
+    double area_mm2 = 0.0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& c = mesh.triangles[t];
+      middles.push_back((mesh.vertices_mm[at(c[0])] + mesh.vertices_mm[at(c[1])] + mesh.vertices_mm[at(c[2])]) / 3.0);
+      area_mm2 += operators[t].area_mm2;
+    }
+    edge_mm = 1.6 * std::sqrt(area_mm2 / static_cast<double>(middles.size()));
+  }
+};
+
+Found find(const Searchable& domain, const PointGrid& middles, const Vec3& place) {
+  double reach_mm = domain.edge_mm;
   Found out;
   double least = std::numeric_limits<double>::infinity();
   for (; out.triangle == geometry::no_index; reach_mm *= 2.0) {
@@ -52,20 +71,11 @@ Found find(const EvenDomain& domain, const PointGrid& middles, double reach_mm, 
 }  // namespace
 
 EvenField prolonged(const EvenDomain& coarse, const EvenField& field, const EvenDomain& fine) {
-  std::vector<Vec3> middles;
-  double area_mm2 = 0.0;
-  for (std::size_t t = 0; t < coarse.mesh.triangles.size(); ++t) {
-    const auto& c = coarse.mesh.triangles[t];
-    middles.push_back(
-        (coarse.mesh.vertices_mm[at(c[0])] + coarse.mesh.vertices_mm[at(c[1])] + coarse.mesh.vertices_mm[at(c[2])]) /
-        3.0);
-    area_mm2 += coarse.operators[t].area_mm2;
-  }
-  const double edge_mm = 1.6 * std::sqrt(area_mm2 / static_cast<double>(middles.size()));
-  const PointGrid grid(middles, edge_mm);
+  const Searchable searchable(coarse.mesh, coarse.operators);
+  const PointGrid grid(searchable.middles, searchable.edge_mm);
   std::vector<Found> found(fine.mesh.vertices_mm.size());
   tbb::parallel_for(std::size_t{0}, found.size(),
-                    [&](std::size_t v) { found[v] = find(coarse, grid, edge_mm, fine.mesh.vertices_mm[v]); });
+                    [&](std::size_t v) { found[v] = find(searchable, grid, fine.mesh.vertices_mm[v]); });
 
   EvenField out;
   out.turns = field.turns;
@@ -86,6 +96,27 @@ EvenField prolonged(const EvenDomain& coarse, const EvenField& field, const Even
     const Vec2 plane = fine.operators[t].to_plane(direction);
     out.direction.push_back(plane.norm() > 1e-9 ? Vec2(plane.normalized()) : Vec2(1.0, 0.0));
     out.dual.push_back(fine.operators[t].to_plane(dual));
+  }
+  return out;
+}
+
+CcPath on_surface(const EvenSurface& surface, const CcPath& path) {
+  const auto operators = triangle_operators(surface.mesh);
+  const Searchable searchable(surface.mesh, operators);
+  const PointGrid grid(searchable.middles, searchable.edge_mm);
+  CcPath out = path;
+  for (CcPiece& piece : out.pieces) {
+    tbb::parallel_for(std::size_t{0}, piece.points.size(), [&](std::size_t i) {
+      CcPoint& p = piece.points[i];
+      const Found f = find(searchable, grid, p.point_P_mm);
+      p.point_P_mm = p.normal_P = Vec3::Zero();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto v = at(surface.mesh.triangles[at(f.triangle)][k]);
+        p.point_P_mm += f.weight[static_cast<Eigen::Index>(k)] * surface.mesh.vertices_mm[v];
+        p.normal_P += f.weight[static_cast<Eigen::Index>(k)] * surface.vertex_normals[v];
+      }
+      p.normal_P.normalize();
+    });
   }
   return out;
 }

@@ -1,6 +1,7 @@
 // A field found on a coarse mesh as the start on a fine one.
 #pragma once
 
+#include "planner/path/cc_path.hpp"
 #include "planner/path/even_domain.hpp"
 #include "planner/path/even_field.hpp"
 
@@ -10,6 +11,10 @@ namespace volute::planner {
 /// dual from the triangles nearest to its corners. Float levels are not carried over: theta is another on another mesh.
 /// Requires: two domains of one surface with the same centre. Deterministic.
 EvenField prolonged(const EvenDomain& coarse, const EvenField& field, const EvenDomain& fine);
+
+/// The path with each point moved to the nearest point of the surface, with the normal there. Requires: the path lies
+/// near it.
+CcPath on_surface(const EvenSurface& surface, const CcPath& path);
 
 /// Turns theta by a constant so that phi - theta on the floating holes comes nearest to whole numbers, where path
 /// levels stand midway, and returns those whole numbers.

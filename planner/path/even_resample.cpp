@@ -55,31 +55,37 @@ std::uint64_t spread(std::uint64_t x) {
 
 }  // namespace
 
-Result<TriangleMesh> finer(TriangleMesh mesh, double edge_max_mm) {
+Result<FinerMesh> finer(const TriangleMesh& mesh, double edge_max_mm) {
   VOLUTE_CHECK(edge_max_mm > 0.0, edge_max_mm);
+  FinerMesh out{mesh, {}, {}};
+  out.parent.resize(mesh.triangles.size());
+  std::iota(out.parent.begin(), out.parent.end(), Index{0});
+  auto& vertices = out.mesh.vertices_mm;
   while (true) {
-    const auto topology = MeshTopology::build(mesh);
+    const auto topology = MeshTopology::build(out.mesh);
     if (!topology) return tl::unexpected(topology.error());
     std::vector<Index> middle(at(topology->edge_count()), no_index);
-    bool any = false;
+    const std::size_t before = out.ends.size();
     for (Index e = 0; e < topology->edge_count(); ++e) {
       const Index h = topology->edge_halfedge(e), next = geometry::next_halfedge(h);
-      const Vec3 a = mesh.vertices_mm[at(mesh.triangles[at(h / 3)][at(h % 3)])];
-      const Vec3 b = mesh.vertices_mm[at(mesh.triangles[at(next / 3)][at(next % 3)])];
-      if ((a - b).norm() <= edge_max_mm) continue;
-      middle[at(e)] = static_cast<Index>(mesh.vertices_mm.size());
-      mesh.vertices_mm.push_back(0.5 * (a + b));
-      any = true;
+      const Index a = out.mesh.triangles[at(h / 3)][at(h % 3)], b = out.mesh.triangles[at(next / 3)][at(next % 3)];
+      if ((vertices[at(a)] - vertices[at(b)]).norm() <= edge_max_mm) continue;
+      middle[at(e)] = static_cast<Index>(vertices.size());
+      vertices.push_back(0.5 * (vertices[at(a)] + vertices[at(b)]));
+      out.ends.push_back({a, b});
     }
-    if (!any) return mesh;
+    if (out.ends.size() == before) return out;
     std::vector<Triangle> split;
-    for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t) {
-      append_split(mesh.triangles[at(t)],
+    std::vector<Index> parent;
+    for (Index t = 0; t < static_cast<Index>(out.mesh.triangles.size()); ++t) {
+      append_split(out.mesh.triangles[at(t)],
                    {middle[at(topology->edge(3 * t))], middle[at(topology->edge(3 * t + 1))],
                     middle[at(topology->edge(3 * t + 2))]},
                    split);
+      parent.resize(split.size(), out.parent[at(t)]);
     }
-    mesh.triangles = std::move(split);
+    out.mesh.triangles = std::move(split);
+    out.parent = std::move(parent);
   }
 }
 

@@ -1,6 +1,7 @@
 // The surface at another fineness: fewer triangles for searching, more where a mesh is too coarse for the field.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "geometry/mesh.hpp"
@@ -24,9 +25,15 @@ struct CoarseMesh {
 /// 3. The same input gives the same bytes.
 CoarseMesh coarser(const TriangleMesh& mesh, double edge_mm, double boundary_mm);
 
+struct FinerMesh {
+  TriangleMesh mesh;                       ///< old vertices keep their numbers
+  std::vector<std::array<Index, 2>> ends;  ///< for each new vertex, in order, the ends of the edge whose middle it is
+  std::vector<Index> parent;               ///< for each triangle the old triangle that it lies in
+};
+
 /// Halves edges longer than `edge_max_mm` until there is none; triangles are split in two, three or four. The surface
 /// does not move. Requires: edge_max_mm > 0. Errors: those of MeshTopology::build.
-Result<TriangleMesh> finer(TriangleMesh mesh, double edge_max_mm);
+Result<FinerMesh> finer(const TriangleMesh& mesh, double edge_max_mm);
 
 /// Vertices and triangles along a curve that fills space (Morton order): neighbours in space become neighbours in
 /// memory. Unused vertices are dropped.

@@ -52,6 +52,18 @@ double ramp_share_of(const EvenSurface& surface, const IntervalRule& rule) {
   return share < 0.8 ? std::max(share, 0.15) : 1.0;
 }
 
+/// The mesh that the field lives on: as fine as passes need it, and no finer than a field can be solved on quickly.
+Result<EvenSurface> field_surface(const EvenSurface& surface, const IntervalRule& rule) {
+  constexpr double triangles_max = 60000.0, triangles_kept = 40000.0;
+  constexpr double edge_share_max = 0.7;  // of the interval
+  if (static_cast<double>(surface.mesh.triangles.size()) > triangles_max) {
+    return coarse_surface(surface, static_cast<int>(triangles_kept));
+  }
+  // An equilateral triangle of edge e has the area sqrt(3) / 4 e^2; halved edges are 0.75 of the longest on average.
+  const double edge_least_mm = std::sqrt(geometry::area_mm2(surface.mesh) / triangles_kept / (0.433 * 0.75 * 0.75));
+  return surface.refined(std::max(edge_share_max * rule.interval_mm(0.0), edge_least_mm));
+}
+
 struct Planned {
   EvenDomain domain;
   EvenRound round;
@@ -90,10 +102,14 @@ Result<CcPathResult> plan_even_spiral(const geometry::TriangleMesh& surface, con
   const auto prepared = EvenSurface::build(conditioned->mesh);
   if (!prepared) return tl::unexpected(prepared.error());
   const IntervalField interval(prepared->mesh, interval_rule(cutter, options.scallop_mm, orientation));
-  auto planned = planned_round(*prepared, interval.rule(), options);
+  const auto on = field_surface(*prepared, interval.rule());
+  if (!on) return tl::unexpected(on.error());
+  auto planned = planned_round(*on, interval.rule(), options);
   if (!planned) return tl::unexpected(planned.error());
   auto& [domain, round] = *planned;
 
+  const bool finer_given = on->mesh.triangles.size() < prepared->mesh.triangles.size();
+  if (finer_given) round.cc = on_surface(*prepared, round.cc);
   CcPathResult out;
   out.surface.triangles = static_cast<int>(surface.triangles.size());
   out.surface.boundary_loops = static_cast<int>(prepared->topology.boundary_loops().size());

@@ -232,14 +232,14 @@ TEST(EvenResample, FinerKeepsTheSurface) {
   const TriangleMesh mesh = disc_with_holes(15.0, {{2.0, 1.0, 4.0}}, 2.0);
   const auto fine = finer(mesh, 0.9);
   ASSERT_TRUE(fine.has_value());
-  const auto topology = MeshTopology::build(*fine);
+  const auto topology = MeshTopology::build(fine->mesh);
   ASSERT_TRUE(topology.has_value());
   EXPECT_EQ(topology->boundary_loops().size(), 2u);
-  EXPECT_NEAR(geometry::area_mm2(*fine), geometry::area_mm2(mesh), 1e-9 * geometry::area_mm2(mesh));
-  for (const auto& t : fine->triangles) {
+  EXPECT_NEAR(geometry::area_mm2(fine->mesh), geometry::area_mm2(mesh), 1e-9 * geometry::area_mm2(mesh));
+  for (const auto& t : fine->mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 edge = fine->vertices_mm[static_cast<std::size_t>(t[(k + 1) % 3])] -
-                        fine->vertices_mm[static_cast<std::size_t>(t[k])];
+      const Vec3 edge = fine->mesh.vertices_mm[static_cast<std::size_t>(t[(k + 1) % 3])] -
+                        fine->mesh.vertices_mm[static_cast<std::size_t>(t[k])];
       EXPECT_LE(edge.norm(), 0.9);
     }
   }
