@@ -1,6 +1,9 @@
 // Along a path: branches, turns, rewinds, poles, linearization.
 #include <gmock/gmock.h>
 
+#include <iostream>
+
+#include "geometry/number_text.hpp"
 #include "kinematics/inverse/inverse.hpp"
 #include "tests/kinematics/machine_fixture.hpp"
 
@@ -324,6 +327,30 @@ TEST_P(Linearization, NothingIsAddedWhenTheControlKeepsTheGreatCircle) {
   AxisPathOptions options;
   options.great_circle = true;
   EXPECT_EQ(solved(machine, circles(1, 12, 0.4), options).report.points_added, 0);
+}
+
+// The table of docs/linearization.md: the same ring, with and without TCP, before and after points are put in.
+TEST_P(Linearization, TableOfErrors) {
+  const Machine machine = testing::machine_named(GetParam());
+  for (const int steps : {12, 36, 120}) {
+    std::string row = "| " + GetParam() + " | " + std::to_string(steps);
+    for (const bool tcp : {false, true}) {
+      AxisPathOptions options;
+      options.control_keeps_tip = tcp;
+      const AxisPathReport report = solved(machine, circles(1, steps, 0.4), options).report;
+      const auto mdeg = [](double rad) {
+        return geometry::fixed_text(1e3 * geometry::Angle::radians(rad).degrees(), 1);
+      };
+      if (!tcp)
+        row += " | " + geometry::fixed_text(1e3 * report.chordal_error_mm, 1) + " | " +
+               geometry::fixed_text(1e3 * report.chordal_error_after_mm, 1);
+      row += " | " + mdeg(report.rotary_error_rad) + " | " + mdeg(report.rotary_error_after_rad) + " | " +
+             std::to_string(report.points_added);
+      EXPECT_LE(report.chordal_error_after_mm, options.chordal_tolerance_mm);
+      EXPECT_LE(report.rotary_error_after_rad, options.rotary_tolerance_rad);
+    }
+    std::cout << row << " |\n";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Machines, Linearization,
