@@ -31,6 +31,57 @@ TEST(CutSurface, ScallopOnAPlaneIsTheExactCircles) {
   }
 }
 
+/// Two balls whose centres stand (R + r) from the middle and an angle apart leave this much over the radius R.
+double scallop_on_round(double R, double r, double angle) {
+  const double c = (R + r) * std::cos(0.5 * angle), s = (R + r) * std::sin(0.5 * angle);
+  return c - std::sqrt(r * r - s * s) - R;
+}
+
+TEST(CutSurface, ScallopOnACylinderIsTheExactCircles) {
+  const double R = 20.0, r = 2.0, angle = 0.04;
+  const auto surface = test::sheet(100, 2, [&](double u, double v) {
+    return Vec3(R * std::sin(0.4 * (u - 0.5)), 6.0 * v, R * std::cos(0.4 * (u - 0.5)));
+  });
+  std::vector<SweptPose> poses;
+  for (double a = -0.32; a < 0.33; a += angle) {
+    const Vec3 out(std::sin(a), 0, std::cos(a));
+    for (const double y : {-1.0, 7.0}) poses.push_back(ball_at((R + r) * out + Vec3(0, y, 0), out, r, 1));
+    for (const double y : {7.0, -1.0}) poses.push_back(ball_at((R + r + 30.0) * out + Vec3(0, y, 0), out, r, 1));
+  }
+  const auto report = measure_cut_surface(surface, test::ball(r), poses, {.uncut_limit_mm = 0.1});
+  const double expected = scallop_on_round(R, r, angle);
+  EXPECT_NEAR(report.scallop_max_mm, expected, 0.01 * expected);
+  EXPECT_FALSE(report.uncut);
+}
+
+TEST(CutSurface, ScallopOnASphereIsTheExactCircles) {
+  const double R = 20.0, r = 3.0, angle = 0.05;
+  const auto surface = test::sheet(40, 40, [&](double u, double v) {
+    const double polar = 0.8 + 0.35 * v, around = 0.4 * u;
+    return Vec3(R * Vec3(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), std::cos(polar)));
+  });
+  auto turned = surface;  // outward side up
+  if ((surface.vertices_mm[1] - surface.vertices_mm[0])
+          .cross(surface.vertices_mm[42] - surface.vertices_mm[0])
+          .dot(surface.vertices_mm[0]) < 0.0) {
+    for (auto& t : turned.triangles) std::swap(t[1], t[2]);
+  }
+  std::vector<SweptPose> poses;
+  for (double polar = 0.6; polar < 1.36; polar += angle) {
+    for (int k = -50; k <= 250; ++k) {
+      const double around = 0.002 * k;
+      const Vec3 out(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), std::cos(polar));
+      if (k == -50) poses.push_back(ball_at((R + r + 30.0) * out, out, r, 1));
+      poses.push_back(ball_at((R + r) * out, out, r, 1));
+      if (k == 250) poses.push_back(ball_at((R + r + 30.0) * out, out, r, 1));
+    }
+  }
+  const auto report = measure_cut_surface(turned, test::ball(r), poses, {.uncut_limit_mm = 0.2});
+  const double expected = scallop_on_round(R, r, angle);
+  EXPECT_NEAR(report.scallop_max_mm, expected, 0.01 * expected);
+  EXPECT_FALSE(report.uncut);
+}
+
 TEST(CutSurface, MeanDeviationOnAPlaneIsTheMeanUnderTheArc) {
   const double interval = 0.8;
   const auto report = measure_cut_surface(test::plane(8.0, 2), test::ball(1.0),
