@@ -51,6 +51,15 @@ ToolPath with_safe_ends(const ToolPath& path) {
   return safe;
 }
 
+// Sources count the points of the request: the approach that was put before them and the retract behind have none.
+void count_sources_from_request(const ToolPath& request, bool approach_added, kinematics::AxisPath& path) {
+  const auto count = static_cast<std::int32_t>(request.points.size());
+  for (kinematics::AxisPathPoint& point : path.points) {
+    if (approach_added && point.source >= 0) --point.source;
+    if (point.source >= count) point.source = -1;
+  }
+}
+
 kinematics::AxisPathOptions options_for(const PostRequest& request, const kinematics::Control& control) {
   kinematics::AxisPathOptions options;
   options.chordal_tolerance_mm = request.tolerance_mm;
@@ -67,6 +76,7 @@ Result<PostResult> post(const PostRequest& request, const kinematics::Profile& p
   auto solved =
       kinematics::solve_path(profile.machine, request.setup, request.tool, path, options_for(request, profile.control));
   if (!solved) return tl::unexpected(solved.error());
+  count_sources_from_request(request.path, request.path.points.front().move != MoveKind::rapid, solved->path);
   if (profile.control.rotary_shortest_way)
     solved->path = split_long_turns(profile.machine, request.setup, request.tool.gauge_length_mm, solved->path);
 

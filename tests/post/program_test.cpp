@@ -194,6 +194,23 @@ TEST(Program, LongTurnsAreSplitForTheShortWay) {
   EXPECT_GT(result.axis_path.points.size(), 2u);
 }
 
+TEST(Program, SourcesCountThePointsOfTheRequest) {
+  for (const bool starts_rapid : {true, false}) {
+    kinematics::ToolPath path = testing::ring(0.2, 20);
+    if (starts_rapid) path.points.front().move = kinematics::MoveKind::rapid;
+    const PostRequest request = testing::request_for(path);
+    const PostResult result = posted(request, testing::profile_named("ac-head-fanuc"));
+    int seen = 0;
+    for (const kinematics::AxisPathPoint& point : result.axis_path.points) {
+      if (point.source < 0) continue;
+      EXPECT_EQ((point.pose.tip_P_mm - path.points.at(static_cast<std::size_t>(point.source)).pose.tip_P_mm).norm(),
+                0.0);
+      ++seen;
+    }
+    EXPECT_EQ(static_cast<std::size_t>(seen), path.points.size());
+  }
+}
+
 TEST(Program, ErrorsNameThingAndRemedy) {
   const kinematics::Profile good = testing::profile_named("ac-head-fanuc");
   const auto code = [](const PostRequest& request, const kinematics::Profile& profile) {
