@@ -84,6 +84,22 @@ std::vector<MotionBlock> random_program(std::mt19937& random, bool tcp) {
   return blocks;
 }
 
+/// Short blocks with axis vectors that wander about the pole and through it.
+std::vector<MotionBlock> vector_program(std::mt19937& random) {
+  std::normal_distribution<double> normal(0, 1);
+  std::vector<MotionBlock> blocks;
+  Vec3 at(0, 0, 0), lean(0, 0, 0);
+  for (int k = 0; k < 60; ++k) {
+    at += 0.7 * Vec3(normal(random), normal(random), normal(random));
+    lean = 0.9 * lean + 0.02 * Vec3(normal(random), normal(random), 0);
+    if (k % 20 == 10) lean.setZero();
+    MotionBlock block = line_to(at, 30, 0, 0, true);
+    block.axis_vector = (Vec3::UnitZ() + lean).normalized();
+    blocks.push_back(block);
+  }
+  return blocks;
+}
+
 void expect_limits_held(const kinematics::Machine& machine, unsigned seed) {
   std::mt19937 random(seed);
   double worst = 0.0;
@@ -100,6 +116,20 @@ void expect_limits_held(const kinematics::Machine& machine, unsigned seed) {
     worst = std::max(worst, ratio);
   }
   EXPECT_GT(worst, 0.99) << "no program came near a limit: the property was not tried";
+}
+
+TEST(ControlRun, VectorsAboutThePoleKeepEveryLimit) {
+  std::mt19937 random(603);
+  for (int k = 0; k < cases(8); ++k) {
+    kinematics::Control control = plain_control();
+    if (k % 2 == 0) control.orientation_interpolation = kinematics::OrientationInterpolation::great_circle;
+    const auto machine = k % 4 < 2 ? head_machine() : table_machine();
+    const auto blocks = vector_program(random);
+    const Ran run = run_blocks(machine, control, blocks);
+    EXPECT_LE(sampled_ratio(machine, run.samples, control.servo_period_s), 1.0 + 1e-9) << "seed 603 case " << k;
+    const Vec3 axis = kinematics::tool_pose(machine, {}, 100.0, run.samples.back().position).axis_P;
+    EXPECT_LE((axis - *blocks.back().axis_vector).norm(), 1e-9) << "seed 603 case " << k;
+  }
 }
 
 TEST(ControlRun, RandomProgramsKeepEveryLimitOfAHead) { expect_limits_held(head_machine(), 601); }
