@@ -76,8 +76,8 @@ struct Link {
   std::shared_ptr<const Bvh> bvh;
 };
 
-AxialCylinder cylinder_round(const PlacedShape& shape, const ToolPose& pose) {
-  return {pose.tip_P_mm, pose.axis_P, shape.z_min_mm, shape.z_max_mm, shape.radius_mm};
+AxialCone cone_round(const PlacedShape& shape, const ToolPose& pose) {
+  return {pose.tip_P_mm, pose.axis_P, shape.z_min_mm, shape.z_max_mm, shape.bottom_radius_mm, shape.top_radius_mm};
 }
 
 fcl::Transform3d placement(const PlacedShape& shape, const ToolPose& pose) {
@@ -96,16 +96,17 @@ bool collides(const fcl::CollisionGeometryd& a, const fcl::Transform3d& X_a, con
   return result.isCollision();
 }
 
-bool surely_clear(const PlacedShape& shape, const ToolPose& pose, const Body& body) {
+/// Spheres and corners decide what they can; FCL decides the rest.
+bool touches(const PlacedShape& shape, const ToolPose& pose, const Body& body) {
   if (shape.is_ball) {
     const Vec3 centre = pose.tip_P_mm + shape.centre_z_mm * pose.axis_P;
-    return body.tree.point_distance_mm(centre, shape.radius_mm + 1.0) > shape.radius_mm + rounding_mm;
+    const double far = shape.radius_mm() + rounding_mm;
+    if (body.tree.point_distance_mm(centre, far) >= far) return false;
+  } else {
+    const SphereTree::Meeting meeting = body.tree.meeting(cone_round(shape, pose), rounding_mm);
+    if (meeting == SphereTree::Meeting::apart) return false;
+    if (meeting == SphereTree::Meeting::touching && shape.is_cone) return true;
   }
-  return body.tree.clearance_mm(cylinder_round(shape, pose), 1.0, rounding_mm) > rounding_mm;
-}
-
-bool touches(const PlacedShape& shape, const ToolPose& pose, const Body& body) {
-  if (surely_clear(shape, pose, body)) return false;
   return collides(*shape.shape, placement(shape, pose), *body.bvh, fcl::Transform3d::Identity());
 }
 
@@ -129,6 +130,7 @@ struct Interference::Trees {
   void add_tool(const kinematics::Tool& tool, const Scene& scene);
   void add_machine(const kinematics::Machine& from, const kinematics::Setup& at);
   [[nodiscard]] std::optional<InterferenceHit> assembly_hit(const ToolPose& pose, bool with_tip) const;
+  [[nodiscard]] bool is_hit(const ToolPose& pose, bool with_tip) const;
   [[nodiscard]] std::optional<InterferenceHit> link_hit(const ToolPose& pose, const kinematics::AxisVector& q) const;
 };
 
@@ -189,6 +191,26 @@ std::optional<InterferenceHit> Interference::Trees::assembly_hit(const ToolPose&
   return std::nullopt;
 }
 
+/// Whether, not where: what touched last on this thread is asked first, since neighbouring poses touch the same things.
+bool Interference::Trees::is_hit(const ToolPose& pose, bool with_tip) const {
+  thread_local std::size_t last_body = 0, last_piece = 0;
+  const auto hits = [&](std::size_t b, std::size_t p) {
+    if (pieces[p].is_tip && bodies[b].is_part && !with_tip) return false;
+    return touches(pieces[p].shape_for(bodies[b]), pose, bodies[b]);
+  };
+  if (last_body < bodies.size() && last_piece < pieces.size() && hits(last_body, last_piece)) return true;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      if ((b == last_body && p == last_piece) || !hits(b, p)) continue;
+      last_body = b;
+      last_piece = p;
+      return true;
+    }
+    if (bodies[b].closed && bodies[b].tree.contains(pose.tip_P_mm + top_mm * pose.axis_P)) return true;
+  }
+  return false;
+}
+
 std::optional<InterferenceHit> Interference::Trees::link_hit(const ToolPose& pose,
                                                              const kinematics::AxisVector& q) const {
   const geometry::Transform& X_MP = setup.part_in_machine;
@@ -230,8 +252,8 @@ Interference::~Interference() = default;
 Interference::Interference(Interference&&) noexcept = default;
 Interference& Interference::operator=(Interference&&) noexcept = default;
 
-bool Interference::is_free(const ToolPose& pose) const { return !trees_->assembly_hit(pose, true); }
-bool Interference::is_free_but_tip(const ToolPose& pose) const { return !trees_->assembly_hit(pose, false); }
+bool Interference::is_free(const ToolPose& pose) const { return !trees_->is_hit(pose, true); }
+bool Interference::is_free_but_tip(const ToolPose& pose) const { return !trees_->is_hit(pose, false); }
 std::optional<InterferenceHit> Interference::first_hit(const ToolPose& pose) const {
   return trees_->assembly_hit(pose, true);
 }
@@ -251,7 +273,7 @@ double Interference::clearance_mm(const ToolPose& pose, double cap_mm) const {
     for (const Piece& piece : trees_->pieces) {
       if (least <= 0.0) return 0.0;
       if (piece.is_tip && body.is_part) continue;
-      least = std::min(least, body.tree.clearance_mm(cylinder_round(piece.shape_for(body), pose), least));
+      least = std::min(least, body.tree.clearance_mm(cone_round(piece.shape_for(body), pose), least));
     }
     if (body.closed && body.tree.contains(pose.tip_P_mm + trees_->top_mm * pose.axis_P)) return 0.0;
   }

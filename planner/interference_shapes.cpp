@@ -50,10 +50,11 @@ PlacedShape grown_ball(const ToolPiece& piece, double growth_mm) {
   PlacedShape placed;
   placed.is_ball = true;
   placed.centre_z_mm = 0.5 * (piece.z_min_mm + piece.z_max_mm);
-  placed.radius_mm = std::max(piece.bottom_radius_mm + growth_mm, least_ring_mm);
-  placed.z_min_mm = placed.centre_z_mm - placed.radius_mm;
-  placed.z_max_mm = placed.centre_z_mm + placed.radius_mm;
-  placed.shape = std::make_shared<const fcl::Sphered>(placed.radius_mm);
+  const double radius = std::max(piece.bottom_radius_mm + growth_mm, least_ring_mm);
+  placed.bottom_radius_mm = placed.top_radius_mm = radius;
+  placed.z_min_mm = placed.centre_z_mm - radius;
+  placed.z_max_mm = placed.centre_z_mm + radius;
+  placed.shape = std::make_shared<const fcl::Sphered>(radius);
   return placed;
 }
 
@@ -68,7 +69,9 @@ PlacedShape grown_frustum(const ToolPiece& piece, double growth_mm) {
   placed.z_max_mm = piece.z_max_mm + end;
   const double bottom = std::max(piece.bottom_radius_mm + out - slope * end, least_ring_mm);
   const double top = std::max(piece.top_radius_mm + out + slope * end, least_ring_mm);
-  placed.radius_mm = std::max(bottom, top);
+  placed.is_cone = true;
+  placed.bottom_radius_mm = bottom;
+  placed.top_radius_mm = top;
   if (slope == 0.0) {
     placed.centre_z_mm = 0.5 * (placed.z_min_mm + placed.z_max_mm);
     placed.shape = std::make_shared<const fcl::Cylinderd>(bottom, placed.z_max_mm - placed.z_min_mm);
@@ -76,7 +79,11 @@ PlacedShape grown_frustum(const ToolPiece& piece, double growth_mm) {
   }
   const bool grow = growth_mm >= 0.0;
   const double b = grow ? circumscribed(bottom, cone_sides) : bottom, t = grow ? circumscribed(top, cone_sides) : top;
-  placed.radius_mm = std::max(b, t);
+  placed.bottom_radius_mm = b;
+  placed.top_radius_mm = t;
+  // The polyhedron's flats lie inside the cone through its corners, so what is inside this cone is not surely inside
+  // the shape.
+  placed.is_cone = false;
   placed.shape = polyhedron({{placed.z_min_mm, b}, {placed.z_max_mm, t}}, cone_sides);
   return placed;
 }
@@ -100,7 +107,7 @@ PlacedShape grown_corner(const ToolPiece& piece, double growth_mm) {
   }
   placed.z_min_mm = rings.front().z_mm;
   placed.z_max_mm = rings.back().z_mm;
-  placed.radius_mm = rings.back().radius_mm;
+  placed.bottom_radius_mm = placed.top_radius_mm = rings.back().radius_mm;
   placed.shape = polyhedron(rings, corner_sides);
   return placed;
 }

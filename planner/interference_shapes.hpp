@@ -24,12 +24,17 @@ struct ToolPiece {
 /// Cutter (ball first), shank, holder: from the tip upwards.
 std::vector<ToolPiece> tool_pieces(const kinematics::Tool& tool);
 
-/// An FCL shape with its centre on the tool axis, and the cylinder round it.
+/// An FCL shape with its centre on the tool axis, and the truncated cone round it (for a ball or a cylinder: a
+/// cylinder).
 struct PlacedShape {
   std::shared_ptr<const fcl::CollisionGeometryd> shape;
   bool is_ball = false;
   double centre_z_mm = 0.0;
-  double z_min_mm = 0.0, z_max_mm = 0.0, radius_mm = 0.0;
+  double z_min_mm = 0.0, z_max_mm = 0.0;
+  double bottom_radius_mm = 0.0, top_radius_mm = 0.0;
+  [[nodiscard]] double radius_mm() const { return bottom_radius_mm > top_radius_mm ? bottom_radius_mm : top_radius_mm; }
+  /// The cone is the shape itself: a point inside the cone is inside the shape.
+  bool is_cone = false;
 };
 
 /// The piece grown by `growth_mm` on all sides (shrunk when negative). Cylinders and balls are exact but for the flat

@@ -10,6 +10,11 @@ namespace volute::planner {
 namespace {
 
 constexpr int leaf_triangles = 2;
+// So many triangles that spheres cannot decide are looked at for one that surely touches, before the exact library is
+// asked.
+constexpr int unsure_max = 12;
+// Triangles longer than this share of the mesh's box (or this many mm) are cut up.
+constexpr double long_edge_share = 1.0 / 48.0, long_edge_mm = 1.0;
 constexpr int stack_size = 128;  // two entries a level; medians halve, so 64 levels are beyond any index
 
 struct Entry {
@@ -29,6 +34,38 @@ class Stack {
   int size_ = 0;
 };
 
+struct Piece {
+  Vec3 a, b, c;
+};
+
+/// Halves the longest edge until none is longer than `most_mm`.
+void cut_up(const Piece& whole, double most_mm, std::vector<Piece>& pieces) {
+  std::vector<Piece> open = {whole};
+  while (!open.empty()) {
+    const Piece p = open.back();
+    open.pop_back();
+    const double ab = (p.b - p.a).norm(), bc = (p.c - p.b).norm(), ca = (p.a - p.c).norm();
+    if (std::max({ab, bc, ca}) <= most_mm) {
+      pieces.push_back(p);
+    } else if (ab >= bc && ab >= ca) {
+      const Vec3 m = 0.5 * (p.a + p.b);
+      open.insert(open.end(), {{p.a, m, p.c}, {m, p.b, p.c}});
+    } else if (bc >= ca) {
+      const Vec3 m = 0.5 * (p.b + p.c);
+      open.insert(open.end(), {{p.a, p.b, m}, {p.a, m, p.c}});
+    } else {
+      const Vec3 m = 0.5 * (p.c + p.a);
+      open.insert(open.end(), {{p.a, p.b, m}, {m, p.b, p.c}});
+    }
+  }
+}
+
+double longest_wanted_mm(const geometry::TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& v : mesh.vertices_mm) box.extend(v);
+  return box.isEmpty() ? long_edge_mm : std::max(long_edge_mm, long_edge_share * box.diagonal().norm());
+}
+
 double to_segment_mm(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 ab = b - a;
   const double t = std::clamp((p - a).dot(ab) / std::max(ab.squaredNorm(), 1e-300), 0.0, 1.0);
@@ -46,13 +83,18 @@ bool ray_crosses(const Vec3& from, const Vec3& direction, const Vec3& a, const V
 
 }  // namespace
 
-double distance_mm(const AxialCylinder& cylinder, const Vec3& point_mm) {
-  const Vec3 d = point_mm - cylinder.base_mm;
-  const double z = d.dot(cylinder.axis);
+double distance_bound_mm(const AxialCone& cone, const Vec3& point_mm) {
+  const Vec3 d = point_mm - cone.base_mm;
+  const double z = d.dot(cone.axis);
   const double rho = std::sqrt(std::max(d.squaredNorm() - z * z, 0.0));
-  const double dz = std::max({cylinder.z_min_mm - z, z - cylinder.z_max_mm, 0.0});
-  const double dr = std::max(rho - cylinder.radius_mm, 0.0);
-  return std::sqrt(dz * dz + dr * dr);
+  const double dz = std::max({cone.z_min_mm - z, z - cone.z_max_mm, 0.0});
+  const double dr = std::max(rho - std::max(cone.bottom_radius_mm, cone.top_radius_mm), 0.0);
+  const double round_it = std::sqrt(dz * dz + dr * dr);
+  if (cone.bottom_radius_mm == cone.top_radius_mm) return round_it;
+  // The slanted side bounds too: the whole cone lies on one side of it.
+  const double slope = (cone.top_radius_mm - cone.bottom_radius_mm) / (cone.z_max_mm - cone.z_min_mm);
+  const double outside = (rho - cone.bottom_radius_mm - slope * (z - cone.z_min_mm)) / std::sqrt(1.0 + slope * slope);
+  return std::max(round_it, outside);
 }
 
 double distance_mm(const Vec3& point_mm, const Vec3& a_mm, const Vec3& b_mm, const Vec3& c_mm) {
@@ -69,12 +111,16 @@ double distance_mm(const Vec3& point_mm, const Vec3& a_mm, const Vec3& b_mm, con
 }
 
 SphereTree::SphereTree(const geometry::TriangleMesh& mesh) {
-  std::vector<Corners> all;
-  all.reserve(mesh.triangles.size());
+  std::vector<Piece> pieces;
+  pieces.reserve(mesh.triangles.size());
+  const double most_mm = longest_wanted_mm(mesh);
   for (const geometry::Triangle& t : mesh.triangles) {
     const auto corner = [&](std::size_t k) { return mesh.vertices_mm[static_cast<std::size_t>(t[k])]; };
-    all.push_back({corner(0), corner(1), corner(2)});
+    cut_up({corner(0), corner(1), corner(2)}, most_mm, pieces);
   }
+  std::vector<Corners> all;
+  all.reserve(pieces.size());
+  for (const Piece& p : pieces) all.push_back({p.a, p.b, p.c});
   if (all.empty()) return;
   std::vector<int> order(all.size());
   std::iota(order.begin(), order.end(), 0);
@@ -129,22 +175,22 @@ void SphereTree::fill(std::size_t node, std::span<int> order, int first, const s
   fill(child + 1, order.subspan(half), first + static_cast<int>(half), all);
 }
 
-double SphereTree::clearance_mm(const AxialCylinder& cylinder, double cap_mm, double enough_mm) const {
+double SphereTree::clearance_mm(const AxialCone& cone, double cap_mm) const {
   double best = cap_mm;
   if (nodes_.empty()) return best;
   const auto bound = [&](int n) {
     const Node& node = nodes_[static_cast<std::size_t>(n)];
-    return distance_mm(cylinder, node.centre_mm) - node.radius_mm;
+    return distance_bound_mm(cone, node.centre_mm) - node.radius_mm;
   };
   Stack stack;
   stack.push(0, bound(0));
-  while (!stack.empty() && best > enough_mm) {
+  while (!stack.empty() && best > 0.0) {
     const Entry top = stack.pop();
     if (top.bound >= best) continue;
     const Node& node = nodes_[static_cast<std::size_t>(top.node)];
     for (int k = 0; k < node.count; ++k) {
       const Ball& ball = balls_[static_cast<std::size_t>(node.first + k)];
-      best = std::min(best, distance_mm(cylinder, ball.centre_mm) - ball.radius_mm);
+      best = std::min(best, distance_bound_mm(cone, ball.centre_mm) - ball.radius_mm);
     }
     if (node.count > 0) continue;
     const double left = bound(node.first), right = bound(node.first + 1);
@@ -152,6 +198,34 @@ double SphereTree::clearance_mm(const AxialCylinder& cylinder, double cap_mm, do
     stack.push(left <= right ? node.first : node.first + 1, std::min(left, right));
   }
   return best;
+}
+
+SphereTree::Meeting SphereTree::meeting(const AxialCone& cone, double apart_mm) const {
+  if (nodes_.empty()) return Meeting::apart;
+  const auto bound = [&](int n) {
+    const Node& node = nodes_[static_cast<std::size_t>(n)];
+    return distance_bound_mm(cone, node.centre_mm) - node.radius_mm;
+  };
+  int unsure = 0;
+  Stack stack;
+  stack.push(0, bound(0));
+  while (!stack.empty()) {
+    const Entry top = stack.pop();
+    if (top.bound > apart_mm) continue;
+    const Node& node = nodes_[static_cast<std::size_t>(top.node)];
+    for (int k = 0; k < node.count; ++k) {
+      const Ball& ball = balls_[static_cast<std::size_t>(node.first + k)];
+      const double centre = distance_bound_mm(cone, ball.centre_mm);
+      if (centre - ball.radius_mm > apart_mm) continue;
+      if (centre <= 0.0) return Meeting::touching;
+      if (++unsure > unsure_max) return Meeting::unsure;
+    }
+    if (node.count > 0) continue;
+    const double left = bound(node.first), right = bound(node.first + 1);
+    stack.push(left <= right ? node.first + 1 : node.first, std::max(left, right));
+    stack.push(left <= right ? node.first : node.first + 1, std::min(left, right));
+  }
+  return unsure > 0 ? Meeting::unsure : Meeting::apart;
 }
 
 double SphereTree::point_distance_mm(const Vec3& point_mm, double cap_mm) const {

@@ -10,28 +10,34 @@ namespace volute::planner {
 
 using geometry::Vec3;
 
-/// A cylinder on the line through `base_mm` along the unit `axis`, from z_min_mm to z_max_mm along it.
-struct AxialCylinder {
+/// A truncated cone on the line through `base_mm` along the unit `axis`, from z_min_mm to z_max_mm along it.
+struct AxialCone {
   Vec3 base_mm = Vec3::Zero(), axis = Vec3::UnitZ();
-  double z_min_mm = 0.0, z_max_mm = 0.0, radius_mm = 0.0;
+  double z_min_mm = 0.0, z_max_mm = 0.0, bottom_radius_mm = 0.0, top_radius_mm = 0.0;
 };
 
-/// Distance from a point to the solid cylinder, mm; 0 inside.
-double distance_mm(const AxialCylinder& cylinder, const Vec3& point_mm);
+/// A lower bound on the distance from a point to the solid cone, mm: exact for a cylinder; 0 exactly when the point is
+/// inside.
+double distance_bound_mm(const AxialCone& cone, const Vec3& point_mm);
 /// Distance from a point to a triangle, mm (Ericson 2005, 5.1.5).
 double distance_mm(const Vec3& point_mm, const Vec3& a_mm, const Vec3& b_mm, const Vec3& c_mm);
 
 /// Built once, then read by any number of threads.
 /// Properties, each with a test of that name: 1. ClearanceIsLowerBound. 2. PointDistanceIsExact. 3. ParityTellsInside.
+/// Large triangles are cut up first: a sphere round a long sliver bounds nothing.
 class SphereTree {
  public:
   /// Keeps its own copy of the corners.
   explicit SphereTree(const geometry::TriangleMesh& mesh);
 
-  /// A lower bound on the distance between the cylinder and the mesh, at most `cap_mm`; below the truth by at most the
-  /// size of a triangle. Stops early and returns a value <= `enough_mm` as soon as the bound falls to it. An empty
-  /// mesh: cap_mm.
-  [[nodiscard]] double clearance_mm(const AxialCylinder& cylinder, double cap_mm, double enough_mm = 0.0) const;
+  /// A lower bound on the distance between the cone and the mesh, at most `cap_mm`; below the truth by at most the size
+  /// of a triangle. An empty mesh: cap_mm.
+  [[nodiscard]] double clearance_mm(const AxialCone& cone, double cap_mm) const;
+
+  /// What spheres and corners tell of the cone and the mesh: surely apart by more than `apart_mm`, surely touching (a
+  /// corner of the mesh is inside), or neither.
+  enum class Meeting { apart, touching, unsure };
+  [[nodiscard]] Meeting meeting(const AxialCone& cone, double apart_mm) const;
 
   /// The distance from the point to the mesh, at most `cap_mm`. Exact up to rounding.
   [[nodiscard]] double point_distance_mm(const Vec3& point_mm, double cap_mm) const;

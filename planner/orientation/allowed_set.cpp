@@ -81,6 +81,15 @@ Blocked AllowedSet::process_limit(int i, const Vec3& axis_P) const {
   return Blocked::no;
 }
 
+bool AllowedSet::is_well_within_limits(int i, const Vec3& axis_P) const {
+  const double least = options_->tilt_min.radians(),
+               most = std::min(options_->tilt_max.radians(), 0.5 * std::numbers::pi - 1e-6);
+  const double margin = std::min(tilt_margin.radians(), 0.25 * (most - least));
+  const double cosine = axis_P.dot(stations_[static_cast<std::size_t>(i)].normal_P);
+  if (cosine < std::cos(most - margin) || (least > 0.0 && cosine > std::cos(least + margin))) return false;
+  return process_limit(i, axis_P) == Blocked::no;
+}
+
 Blocked AllowedSet::limit(int i, const Rotaries& at) const {
   return chart_->in_travel(at) ? process_limit(i, chart_->axis_P(at)) : Blocked::travel;
 }

@@ -24,6 +24,8 @@ class AllowedSet {
   /// Tilt from the normal within [tilt_min, tilt_max]; for flat and bull cutters also: the cut is no narrower than the
   /// path was planned for.
   [[nodiscard]] Blocked process_limit(int i, const Vec3& axis_P) const;
+  /// The same with a margin of 2 degrees (at most a quarter of the tilt band) to the tilt limits.
+  [[nodiscard]] bool is_well_within_limits(int i, const Vec3& axis_P) const;
   /// Travel and process limits: cheap.
   [[nodiscard]] Blocked limit(int i, const Rotaries& at) const;
   [[nodiscard]] bool is_free(int i, const Vec3& axis_P) const {

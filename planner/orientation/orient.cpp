@@ -9,6 +9,7 @@
 #include "geometry/number_text.hpp"
 #include "planner/orientation/allowed_set.hpp"
 #include "planner/orientation/branch.hpp"
+#include "planner/orientation/corridor.hpp"
 #include "planner/orientation/motion.hpp"
 #include "planner/orientation/pin_loop.hpp"
 #include "planner/orientation/reference.hpp"
@@ -201,14 +202,39 @@ Result<OrientedPath> orient_traditionally(Orienting& work, const AllowedSet& all
   return finished(work, allowed, at, {});
 }
 
-Result<OrientedPath> orient_by_pins(Orienting& work, const AllowedSet& allowed) {
+tl::unexpected<geometry::Error> no_chain(const Orienting& work, const AllowedSet& allowed,
+                                         const CorridorResult& corridor, const std::vector<Vec3>& wanted) {
+  if (corridor.stuck_empty) return no_orientation(work, allowed, corridor.stuck, wanted);
+  const std::string where =
+      corridor.stuck.empty() ? "some CC points" : "CC point " + point_name(work, corridor.stuck.front());
+  return bad_input(
+      "orientation-none",
+      where +
+          ": no allowed tool orientation can be reached from those before it (searched 2 degrees apart); use a "
+          "longer or slimmer tool, a smaller clearance, wider tilt limits, or move the obstacle");
+}
+
+Result<OrientedPath> orient_in_corridor(Orienting& work, const AllowedSet& allowed) {
   const std::vector<Vec3> reference = reference_axes(allowed, reference_window_mm);
-  const std::vector<char> blocked = blocked_marks(allowed, reference);
-  std::vector<int> none;
-  (void)dodged(allowed, reference, blocked, none);
-  if (!none.empty()) return no_orientation(work, allowed, none, reference);
+  CorridorResult corridor = run_corridor(allowed, reference);
+  if (corridor.at.empty()) return no_chain(work, allowed, corridor, reference);
+  work.report.iterations = corridor.iterations;
+  work.report.solve_s = corridor.solve_s;
+  return finished(work, allowed, corridor.at, {});
+}
+
+/// The pins come from a calm row of allowed axes: the reference where nothing is in its way, else the corridor's curve.
+Result<OrientedPath> orient_by_pins(Orienting& work, const AllowedSet& allowed) {
+  std::vector<Vec3> axes = reference_axes(allowed, reference_window_mm);
+  const std::vector<char> blocked = blocked_marks(allowed, axes);
   const std::vector<int> critical = critical_points(work.points(), blocked_areas(blocked));
-  const PinLoopResult loop = run_pin_loop(allowed, reference, blocked, critical, user_pins(work), work.options);
+  if (count(blocked) > 0) {
+    const CorridorResult corridor = run_corridor(allowed, axes);
+    if (corridor.at.empty()) return no_chain(work, allowed, corridor, axes);
+    for (std::size_t i = 0; i < axes.size(); ++i) axes[i] = work.chart.axis_P(corridor.at[i]);
+  }
+  const PinLoopResult loop =
+      run_pin_loop(allowed, axes, std::vector<char>(axes.size(), 0), critical, user_pins(work), work.options);
   work.report.iterations = loop.iterations;
   work.report.solve_s = loop.solve_s;
   if (!loop.free) {
@@ -241,6 +267,7 @@ Result<OrientedPath> orient(const CcPiece& piece, const kinematics::Tool& tool, 
   const std::vector<char> blocked = blocked_marks(allowed, planned);
   work.report.interferences_before = count(blocked);
   if (options.smoothing == Smoothing::none) return orient_traditionally(work, allowed, planned, blocked);
+  if (options.smoothing == Smoothing::corridor) return orient_in_corridor(work, allowed);
   return orient_by_pins(work, allowed);
 }
 

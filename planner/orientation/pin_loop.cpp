@@ -18,6 +18,16 @@ namespace {
 
 constexpr Angle pin_margin = Angle::degrees(2.0);
 
+// Rotaries this near stand for the same pose: a millionth of a millimetre at the end of the assembly.
+constexpr double same_rad = 1e-8;
+
+bool stands_with_motion(const AllowedSet& allowed, const std::vector<Rotaries>& at, int i) {
+  const auto k = static_cast<std::size_t>(i);
+  if (allowed.blocked(i, at[k]) != Blocked::no) return false;
+  if (k + 1 == at.size() || allowed.limit(i + 1, at[k + 1]) != Blocked::no) return true;
+  return allowed.motion_is_free(i, at[k], at[k + 1]);
+}
+
 struct PinState {
   Vec3 axis_P = Vec3::UnitZ();
   bool fixed = false;
@@ -29,7 +39,11 @@ class PinLoop {
  public:
   PinLoop(const AllowedSet& allowed, const std::vector<Vec3>& reference, const std::vector<char>& reference_blocked,
           const OrientationOptions& options)
-      : allowed_(allowed), reference_(reference), reference_blocked_(reference_blocked), options_(options) {
+      : allowed_(allowed),
+        reference_(reference),
+        reference_blocked_(reference_blocked),
+        options_(options),
+        check_(allowed) {
     for (const Station& station : allowed.stations()) s_.push_back(station.s_mm);
   }
 
@@ -57,6 +71,7 @@ class PinLoop {
   const std::vector<Vec3>& reference_;
   const std::vector<char>& reference_blocked_;
   const OrientationOptions& options_;
+  PathCheck check_;
   std::vector<double> s_;
   std::map<int, PinState> pins_;
 };
@@ -120,8 +135,7 @@ PinLoopResult PinLoop::run() {
       const std::vector<double> phi = solve_axis(choice, k, result.solve_s);
       for (std::size_t i = 0; i < phi.size(); ++i) result.at[i][k] = phi[i];
     }
-    std::vector<char> bad = check_path(allowed_, result.at, true);
-    if (std::find(bad.begin(), bad.end(), 1) == bad.end()) bad = check_path(allowed_, result.at, false);
+    const std::vector<char> bad = check_.touching(result.at);
     result.free = std::find(bad.begin(), bad.end(), 1) == bad.end();
     if (result.free) break;
     add_pins(bad);
@@ -137,15 +151,26 @@ std::vector<char> check_path(const AllowedSet& allowed, const std::vector<Rotari
   std::vector<char> bad(at.size(), 0);
   tbb::parallel_for(0, n, [&](int i) {
     const auto k = static_cast<std::size_t>(i);
-    if (limits_only) {
-      bad[k] = allowed.limit(i, at[k]) == Blocked::no ? 0 : 1;
-      return;
-    }
-    bool stands = allowed.blocked(i, at[k]) == Blocked::no;
-    if (stands && i + 1 < n && allowed.limit(i + 1, at[k + 1]) == Blocked::no)
-      stands = allowed.motion_is_free(i, at[k], at[k + 1]);
+    const bool stands = limits_only ? allowed.limit(i, at[k]) == Blocked::no : stands_with_motion(allowed, at, i);
     bad[k] = stands ? 0 : 1;
   });
+  return bad;
+}
+
+std::vector<char> PathCheck::touching(const std::vector<Rotaries>& at) {
+  std::vector<char> bad = check_path(allowed_, at, true);
+  if (std::find(bad.begin(), bad.end(), 1) != bad.end()) return bad;
+  const int n = static_cast<int>(at.size());
+  const auto same = [&](std::size_t i) {
+    return std::abs(at[i][0] - last_[i][0]) + std::abs(at[i][1] - last_[i][1]) < same_rad;
+  };
+  tbb::parallel_for(0, n, [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    const bool known = !last_.empty() && same(k) && (i + 1 == n || same(k + 1));
+    bad[k] = known ? last_bad_[k] : (stands_with_motion(allowed_, at, i) ? 0 : 1);
+  });
+  last_ = at;
+  last_bad_ = bad;
   return bad;
 }
 

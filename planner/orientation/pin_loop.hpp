@@ -41,4 +41,16 @@ PinLoopResult run_pin_loop(const AllowedSet& allowed, const std::vector<Vec3>& r
 /// alone, points only.
 std::vector<char> check_path(const AllowedSet& allowed, const std::vector<Rotaries>& at, bool limits_only);
 
+/// Limits first, and interference only when they hold; what stands as it stood at the last look is not looked at again.
+class PathCheck {
+ public:
+  explicit PathCheck(const AllowedSet& allowed) : allowed_(allowed) {}
+  std::vector<char> touching(const std::vector<Rotaries>& at);
+
+ private:
+  const AllowedSet& allowed_;
+  std::vector<Rotaries> last_;
+  std::vector<char> last_bad_;
+};
+
 }  // namespace volute::planner

@@ -154,10 +154,14 @@ TEST(SphereTree, ClearanceIsLowerBound) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   for (int n = 0; n < 100; ++n) {
-    const AxialCylinder cylinder{Vec3(15 * any(random), 15 * any(random), 12 + 6 * any(random)),
-                                 Vec3(any(random), any(random), any(random)).normalized(), 0.0, 5.0, 2.0};
+    const AxialCone cylinder{Vec3(15 * any(random), 15 * any(random), 12 + 6 * any(random)),
+                             Vec3(any(random), any(random), any(random)).normalized(),
+                             0.0,
+                             5.0,
+                             2.0,
+                             3.0};
     double truth = 1e9;
-    for (const Vec3& v : mesh.vertices_mm) truth = std::min(truth, distance_mm(cylinder, v));
+    for (const Vec3& v : mesh.vertices_mm) truth = std::min(truth, distance_bound_mm(cylinder, v));
     const double bound = tree.clearance_mm(cylinder, 100.0);
     if (bound > 0.0) {
       EXPECT_LE(bound, truth);
@@ -172,9 +176,9 @@ TEST(PlacedShape, GrownShapesHoldTheTrueOnesAndShrunkOnesAreInside) {
   tool.holder = {{10.0, 20.0, 40.0, 30.0}};
   for (const ToolPiece& piece : tool_pieces(tool)) {
     const PlacedShape grown = placed_shape(piece, 1.0), shrunk = placed_shape(piece, -0.01);
-    EXPECT_GE(grown.radius_mm, std::max(piece.bottom_radius_mm, piece.top_radius_mm) + 1.0);
+    EXPECT_GE(grown.radius_mm(), std::max(piece.bottom_radius_mm, piece.top_radius_mm) + 1.0);
     EXPECT_LE(grown.z_min_mm, piece.z_min_mm - 1.0 + 1e-9);
-    EXPECT_LT(shrunk.radius_mm, std::max(piece.bottom_radius_mm, piece.top_radius_mm));
+    EXPECT_LT(shrunk.radius_mm(), std::max(piece.bottom_radius_mm, piece.top_radius_mm));
     EXPECT_GE(shrunk.z_min_mm, piece.z_min_mm);
   }
 }
