@@ -21,6 +21,7 @@ struct CollisionScene {
   std::vector<std::string> obstacle_names;
   kinematics::Tool tool;
   double gouge_tolerance_mm = 0.01;  ///< the cutter may go this deep into the part
+  double state_error_mm = 0.0;       ///< states may stand this far beside the run: the cutter is forgiven as much more
   double clearance_mm = 0.0;  ///< report closest distances below this as findings of kind "clearance"; 0: touching only
 };
 

@@ -78,6 +78,8 @@ CollisionScene scene(const VerifyRequest& request) {
   out.tool = request.tool;
   out.gouge_tolerance_mm = request.cut.gouge_limit_mm;
   out.clearance_mm = request.clearance_mm;
+  // The chord of a linear and of a rotary axis can add up at the tip.
+  out.state_error_mm = 2.0 * RunWatch::Bounds{}.state_chord_mm;
   return out;
 }
 
