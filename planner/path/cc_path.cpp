@@ -79,7 +79,8 @@ Result<CcPathResult> plan_even(const geometry::TriangleMesh& surface, const kine
   report.liftings = 2;
   report.notes = result->report.notes;
   report.rapid_traversals = static_cast<int>(result->path.pieces.size()) - 1;
-  measure_path({surface, intervals, {}, true, !options.from_turn && !options.to_turn}, result->path, report);
+  // Turns beside a floating hole differ by more than one across it: no interval from turn to turn.
+  measure_path({surface, intervals, {}, false, !options.from_turn && !options.to_turn}, result->path, report);
   result->report = std::move(report);
   return result;
 }
