@@ -5,6 +5,7 @@
 
 #include "geometry/check.hpp"
 #include "planner/path/level_trace.hpp"
+#include "planner/surface/edge_curve.hpp"
 
 namespace volute::planner {
 namespace {
@@ -86,6 +87,13 @@ void append_spiral(const EvenDomain& domain, const EvenField& field, const Level
   }
 }
 
+/// The point of the nominal surface over an edge, [Sun2016] eq. 15, 16.
+Vec3 on_edge_curve(const EvenDomain& domain, const SurfacePoint& p) {
+  return EdgeCurve(domain.mesh.vertices_mm[at(p.a)], domain.mesh.vertices_mm[at(p.b)], domain.vertex_normals[at(p.a)],
+                   domain.vertex_normals[at(p.b)])
+      .point_mm(p.t);
+}
+
 }  // namespace
 
 EvenPath even_path(const EvenDomain& domain, const EvenField& field) {
@@ -117,7 +125,8 @@ CcPath cc_path_of(const EvenDomain& domain, const EvenPath& path) {
       const Vec3 from = vector_at(values, p.place);
       return p.share > 0.0 ? Vec3(from + p.share * (vector_at(values, p.toward) - from)) : from;
     };
-    point.point_P_mm = vector_of(domain.mesh.vertices_mm);
+    point.point_P_mm =
+        p.share > 0.0 || p.place.is_vertex() ? vector_of(domain.mesh.vertices_mm) : on_edge_curve(domain, p.place);
     point.normal_P = vector_of(domain.vertex_normals).normalized();
     point.turn = p.turn;
     constexpr double same_point_mm = 1e-6;

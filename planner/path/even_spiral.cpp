@@ -7,8 +7,8 @@
 #include "geometry/mesh_measure.hpp"
 #include "planner/path/even_centre.hpp"
 #include "planner/path/even_loop.hpp"
-#include "planner/path/even_measure.hpp"
 #include "planner/path/even_prolong.hpp"
+#include "planner/path/path_measure.hpp"
 #include "planner/surface/condition.hpp"
 
 namespace volute::planner {
@@ -32,14 +32,20 @@ PathReport report_of(const EvenRound& round, const IntervalField& interval, cons
   PathReport report;
   report.strategy = "spiral";
   report.method = "even";
-  report.length_mm = path_length_mm(round.cc);
+  report.length_mm = round.length_mm;
   report.lower_bound_mm = interval.lower_bound_mm();
   report.length_ratio = report.length_mm / report.lower_bound_mm;
   report.pieces = static_cast<int>(round.cc.pieces.size());
-  for (const CcPiece& piece : round.cc.pieces) report.cc_points += static_cast<int>(piece.points.size());
-  const double chord_mm = 0.5 * path_interval_mm(interval.rule().radius_mm, options.scallop_mm, 0.0);
-  report.sharp_corners = sharp_corners(round.cc, chord_mm, Angle::degrees(35.0));
-  report.sharp_corners_60 = sharp_corners(round.cc, chord_mm, Angle::degrees(60.0));
+  const double interval_mm = path_interval_mm(interval.rule().radius_mm, options.scallop_mm, 0.0);
+  const double spacing_mm = interval_mm / 16.0;
+  for (const CcPiece& piece : round.cc.pieces) {
+    report.cc_points += static_cast<int>(piece.points.size());
+    const auto points = even_points(piece, spacing_mm);
+    const auto angles = corner_angles_rad(points, spacing_mm, 0.5 * interval_mm, Angle::degrees(35.0).radians());
+    report.sharp_corners += static_cast<int>(angles.size());
+    report.sharp_corners_60 += static_cast<int>(
+        std::count_if(angles.begin(), angles.end(), [](double a) { return a > Angle::degrees(60.0).radians(); }));
+  }
   report.scallop_ratio_p9999 = round.scallop.p9999_ratio;
   report.scallop_ratio_max = round.scallop.max_ratio;
   report.scallop_area_above_percent = round.scallop.area_above_percent;
