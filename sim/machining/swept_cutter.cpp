@@ -76,7 +76,9 @@ void SweptCutter::make_places(const std::vector<SweptPose>& poses, double tolera
   const double round =
       ball_nose_ || profile_.corner_radius_mm() == 0.0 ? profile_.greatest_radius_mm() : profile_.corner_radius_mm();
   const double spacing = spacing_for_cusp(round, tolerance_mm);
-  slack_mm_ = !ball_nose_ && profile_.corner_radius_mm() == 0.0 ? 0.25 * spacing : 2.0 * tolerance_mm;
+  // Of a ball nose the places only serve the flank, whose cusps are below the tolerance; the ball itself is swept
+  // exactly.
+  slack_mm_ = ball_nose_ ? 0.0 : profile_.corner_radius_mm() == 0.0 ? 0.25 * spacing : 2.0 * tolerance_mm;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const StandingCutter here{poses[i].pose.tip_P_mm, poses[i].pose.axis_P};
     if (i > 0) {
