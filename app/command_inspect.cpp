@@ -62,7 +62,7 @@ int inspect_command(const InspectArguments& arguments, Context& context) {
       continue;
     }
     const MeshReport report = geometry::inspect(*loaded);
-    context.warn(report.repairs.warnings);
+    if (report.machinable) context.warn(report.repairs.warnings);
     if (!report.machinable) status = context.fail({geometry::ErrorKind::bad_input, report.reason_code, part.string() + ": " + report.reason});
     values.push_back(mesh_json(report, part.string()));
     text += human_text(report, part.string());

@@ -75,8 +75,9 @@ std::string machining_rows(const Json& report) {
   }
   if (report.contains("collision")) {
     const Json& collision = report["collision"];
-    text += table_row("collisions", std::to_string(collision["sim_hits"].get<int>()) + " on the virtual machine, " +
-                                        std::to_string(collision["planner_hits"].get<int>()) + " in the planner");
+    const std::string planned =
+        collision.contains("planner_hits") ? ", " + std::to_string(collision["planner_hits"].get<int>()) + " in the planner" : "";
+    text += table_row("collisions", std::to_string(collision["sim_hits"].get<int>()) + " on the virtual machine" + planned);
     if (!collision["closest_pair"].get<std::string>().empty())
       text += table_row("closest", number(collision, "closest_mm", 3) + " mm, " + collision["closest_pair"].get<std::string>() + ", line " +
                                        std::to_string(collision["at_block"].get<long>()));

@@ -38,7 +38,8 @@ TEST(Run, PlateGivesAProgramThatPasses) {
   EXPECT_EQ(report["path"]["rapid_traversals"], 0);
   EXPECT_EQ(report["path"]["pieces"], 1);
   EXPECT_TRUE(report["findings"].empty());
-  EXPECT_LE(report["machining"]["scallop_max_mm"].get<double>(), 0.2 * 1.1);
+  EXPECT_LE(report["machining"]["scallop_p99_mm"].get<double>(), 0.2 * 1.05);
+  EXPECT_FALSE(report["machining"]["uncut"].get<bool>());
   for (const auto& [letter, axis] : report["run"]["axes"].items()) EXPECT_LE(axis["limit_ratio_max"].get<double>(), 1.0 + 1e-9) << letter;
   EXPECT_NEAR(report["run"]["programmed_feed_mm_min"].get<double>(), 600.0, 1.0);
   for (const char* name : {"plate.nc", "toolpath.cls", "plan.json", "report.json", "report.html", "path.png"})

@@ -2,6 +2,7 @@
 
 #include <sys/wait.h>
 
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
