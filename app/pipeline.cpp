@@ -11,6 +11,9 @@ namespace {
 /// linear solve behind them.
 constexpr double rounding_slack = 4.0;
 
+/// The planner holds the scallop at 1.05 times the allowed one over 99.99 % of the surface and at this many times everywhere.
+constexpr double scallop_bound = 1.1;
+
 double decimal_step(int decimals) {
   double step = 1.0;
   for (int i = 0; i < decimals; ++i) step /= 10.0;
@@ -111,8 +114,8 @@ geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const pl
   request.surface_P = inputs.surface;
   request.obstacles_P = inputs.obstacles;
   request.obstacle_names = inputs.obstacle_names;
-  // A scallop is measured against the mesh, from which both path and mesh may stand off by the tolerance.
-  request.cut.uncut_limit_mm = inputs.job.path.scallop_mm + inputs.job.path.allowance_mm + inputs.job.path.tolerance_mm;
+  // Uncut is more than the planner's own bound on a scallop and the tolerance by which path and mesh may stand off the surface.
+  request.cut.uncut_limit_mm = scallop_bound * inputs.job.path.scallop_mm + inputs.job.path.allowance_mm + inputs.job.path.tolerance_mm;
   request.cut.gouge_limit_mm = inputs.job.gouge_tolerance_mm;
   request.expected_poses = cutting_poses(posted.axis_path);
   const double rotary_step_rad = geometry::Angle::degrees(decimal_step(control.rotary_decimals)).radians();
