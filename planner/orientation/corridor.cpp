@@ -24,6 +24,8 @@ constexpr int refinements = 2;
 constexpr int chain_rounds_max = 200;
 // Layers opened to both sides of one that touches: the way round an obstacle begins before it.
 constexpr int open_beside = 6;
+// After so many rounds a node that does not hold is given up with those beside it.
+constexpr int narrow_rounds = 4;
 
 constexpr int recentrings = 3;
 constexpr int tightenings_max = 60;
@@ -53,7 +55,7 @@ class Corridor {
   [[nodiscard]] std::vector<Rotaries> stations_of(const Coefficients& c) const;
   [[nodiscard]] Rotaries station_of(const Coefficients& c, std::size_t i) const;
   bool find_chain(Angle step);
-  void widen(const std::vector<char>& bad, const LatticeChain::Chain& chain, LatticeChain& lattice) const;
+  void widen(const std::vector<char>& bad, const LatticeChain::Chain& chain, int round, LatticeChain& lattice) const;
   void smooth();
   bool tighten_until_allowed(const Coefficients& base, Coefficients& lower, Coefficients& upper, Coefficients& found);
   [[nodiscard]] double allowed_share(std::size_t i, const Rotaries& base, const Rotaries& wanted) const;
@@ -97,7 +99,8 @@ std::vector<Rotaries> Corridor::stations_of(const Coefficients& c) const {
 }
 
 /// Opens the layers round what touches; where they are open already, the nodes that the chain used there are given up.
-void Corridor::widen(const std::vector<char>& bad, const LatticeChain::Chain& chain, LatticeChain& lattice) const {
+void Corridor::widen(const std::vector<char>& bad, const LatticeChain::Chain& chain, int round,
+                     LatticeChain& lattice) const {
   std::vector<char> wanted(points_.size(), 0), used(points_.size(), 0);
   for (std::size_t i = 0; i < bad.size(); ++i) {
     if (bad[i] == 0) continue;
@@ -113,7 +116,7 @@ void Corridor::widen(const std::vector<char>& bad, const LatticeChain::Chain& ch
   std::vector<int> opened;
   for (std::size_t j = 0; j < wanted.size(); ++j) {
     if (wanted[j] != 0) opened.push_back(static_cast<int>(j));
-    if (used[j] != 0) lattice.forbid(static_cast<int>(j), chain.nodes[j]);
+    if (used[j] != 0) lattice.forbid(static_cast<int>(j), chain.nodes[j], round >= narrow_rounds);
   }
   lattice.open(opened);
 }
@@ -141,7 +144,7 @@ bool Corridor::find_chain(Angle step) {
       result_.stuck.clear();
       return true;
     }
-    widen(bad, chain, layers);
+    widen(bad, chain, round, layers);
   }
   return false;
 }

@@ -110,15 +110,22 @@ void LatticeChain::mark_edges(std::size_t layer, const std::vector<int>& before)
   }
 }
 
-void LatticeChain::forbid(int layer, int node) {
+void LatticeChain::forbid(int layer, int node, bool with_neighbours) {
   const auto l = static_cast<std::size_t>(layer);
-  const std::vector<int> before = nodes_[l];
-  std::erase(nodes_[l], node);
-  if (open_[l] == 0) return;
-  std::vector<char> edges;
-  for (std::size_t n = 0; n < before.size(); ++n) {
-    if (before[n] != node) edges.push_back(at_edge_[l][n]);
+  std::vector<int> given_up = {node};
+  if (with_neighbours) {
+    for (const auto& [da, dc] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
+      given_up.push_back(lattice_.neighbour(node, da, dc));
+    }
   }
+  std::vector<int> nodes;
+  std::vector<char> edges;
+  for (std::size_t n = 0; n < nodes_[l].size(); ++n) {
+    if (std::find(given_up.begin(), given_up.end(), nodes_[l][n]) != given_up.end()) continue;
+    nodes.push_back(nodes_[l][n]);
+    if (open_[l] != 0) edges.push_back(at_edge_[l][n]);
+  }
+  nodes_[l] = std::move(nodes);
   at_edge_[l] = std::move(edges);
 }
 

@@ -41,8 +41,8 @@ class LatticeChain {
   /// Looks at interference of every node of the layers.
   void open(const std::vector<int>& layers);
   [[nodiscard]] bool is_open(int layer) const { return open_[static_cast<std::size_t>(layer)] != 0; }
-  /// This node of this layer is not used again.
-  void forbid(int layer, int node);
+  /// This node of this layer is not used again; `with_neighbours`: nor the four beside it.
+  void forbid(int layer, int node, bool with_neighbours);
   [[nodiscard]] const std::vector<int>& allowed_nodes(int layer) const {
     return nodes_[static_cast<std::size_t>(layer)];
   }
