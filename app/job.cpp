@@ -226,6 +226,7 @@ class JobReader {
     job_.field.spline = reader_.boolean(field, "field", "spline", false);
     job_.field.u_intervals = reader_.integer(field, "field", "u_intervals", 30, 3, 2000);
     job_.field.v_intervals = reader_.integer(field, "field", "v_intervals", 10, 4, 2000);
+    job_.orientation.field = job_.field;
   }
 
   void read_process() {

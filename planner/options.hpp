@@ -7,6 +7,7 @@
 
 #include "geometry/angle.hpp"
 #include "geometry/vector.hpp"
+#include "planner/field/field_options.hpp"
 
 namespace volute::planner {
 
@@ -48,6 +49,7 @@ struct OrientationOptions {
   Smoothing smoothing = Smoothing::acceleration;
   Weights weights = Weights::arc_length;
   std::vector<KeyOrientation> keys;
+  FieldOptions field;                 ///< smoothing = field: basis and width
   int iterations_max = 40;            ///< of the loop of [Sun2016] Fig. 8
   double clearance_mm = 1.0;          ///< kept by shank and holder
   double gouge_tolerance_mm = 0.01;   ///< the cutter may go this deep

@@ -27,14 +27,6 @@ double spread(const std::vector<FieldKey>& keys, const FieldMetric& metric) {
   return widest > 0.0 ? widest : 1.0;
 }
 
-RadialBasis with_width(RadialBasis basis, const std::vector<FieldKey>& keys, const FieldMetric& metric) {
-  if (basis.a > 0.0 || keys.empty()) return basis;
-  const double spacing = spread(keys, metric) / std::sqrt(static_cast<double>(keys.size()));
-  if (basis.kind == BasisKind::half_open) basis.a = half_open_width;
-  else basis.a = basis.kind == BasisKind::gaussian ? 1.0 / (gaussian_spacings * spacing) : multiquadric_spacings * spacing;
-  return basis;
-}
-
 FieldMetric metric_of(FieldPlacement placement, const Vec3& size_mm) {
   if (placement == FieldPlacement::straight) return {FieldDistance::straight_mm, 1.0};
   if (placement == FieldPlacement::box) return {FieldDistance::parameters, 1.0};
@@ -101,6 +93,14 @@ void measure_tilt(const geometry::TriangleMesh& mesh, const std::vector<Vec3>& a
 }
 
 }  // namespace
+
+RadialBasis with_width(RadialBasis basis, const std::vector<FieldKey>& keys, const FieldMetric& metric) {
+  if (basis.a > 0.0 || keys.empty()) return basis;
+  const double spacing = spread(keys, metric) / std::sqrt(static_cast<double>(keys.size()));
+  if (basis.kind == BasisKind::half_open) basis.a = half_open_width;
+  else basis.a = basis.kind == BasisKind::gaussian ? 1.0 / (gaussian_spacings * spacing) : multiquadric_spacings * spacing;
+  return basis;
+}
 
 FieldPlace SurfaceField::place(const Vec3& point_P_mm) const {
   FieldPlace result{Vec2::Zero(), point_P_mm};

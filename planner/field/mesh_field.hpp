@@ -13,6 +13,9 @@
 
 namespace volute::planner {
 
+/// The basis with its width chosen from the keys when the user gave none (a = 0).
+RadialBasis with_width(RadialBasis basis, const std::vector<FieldKey>& keys, const FieldMetric& metric);
+
 /// A key as the user gives it: at a point near the surface.
 struct PointKey { Vec3 point_P_mm; Vec3 axis_P; };
 

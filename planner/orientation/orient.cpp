@@ -10,6 +10,7 @@
 #include "planner/orientation/allowed_set.hpp"
 #include "planner/orientation/branch.hpp"
 #include "planner/orientation/corridor.hpp"
+#include "planner/orientation/field_loop.hpp"
 #include "planner/orientation/motion.hpp"
 #include "planner/orientation/pin_loop.hpp"
 #include "planner/orientation/reference.hpp"
@@ -246,6 +247,22 @@ Result<OrientedPath> orient_by_pins(Orienting& work, const AllowedSet& allowed) 
   return finished(work, allowed, loop.at, loop.pins);
 }
 
+/// [Huang2016] Fig. 2: the axes follow a field through key axes, with keys added until every point is allowed.
+Result<OrientedPath> orient_by_field(Orienting& work, const AllowedSet& allowed) {
+  const auto loop = run_field_loop(allowed, reference_axes(allowed, reference_window_mm), user_pins(work), work.options);
+  if (!loop) return tl::unexpected(loop.error());
+  work.report.iterations = loop->iterations;
+  work.report.solve_s = loop->solve_s;
+  work.report.notes.push_back("orientation field through " + std::to_string(loop->keys) + " key axes");
+  const std::vector<Rotaries> at = loop->allowed ? rotaries_along(work, loop->axes_P) : std::vector<Rotaries>{};
+  const int touching = at.empty() ? 0 : count(check_path(allowed, at, false));
+  if (at.empty() || touching > 0)
+    return bad_input("orientation-not-converged",
+                     "the orientation field through " + std::to_string(loop->keys) + " key axes still touches or leaves the limits after " +
+                         std::to_string(loop->iterations) + " rounds; add keys near the obstacle, widen tilt_max_deg, or use smoothing = \"corridor\"");
+  return finished(work, allowed, at, {});
+}
+
 }  // namespace
 
 Result<OrientedPath> orient(const CcPiece& piece, const kinematics::Tool& tool, const kinematics::Machine& machine,
@@ -268,6 +285,7 @@ Result<OrientedPath> orient(const CcPiece& piece, const kinematics::Tool& tool, 
   work.report.interferences_before = count(blocked);
   if (options.smoothing == Smoothing::none) return orient_traditionally(work, allowed, planned, blocked);
   if (options.smoothing == Smoothing::corridor) return orient_in_corridor(work, allowed);
+  if (options.smoothing == Smoothing::field) return orient_by_field(work, allowed);
   return orient_by_pins(work, allowed);
 }
 
