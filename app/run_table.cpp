@@ -94,9 +94,12 @@ std::string finding_rows(const Json& findings) {
   return text;
 }
 
-std::string verdict(const Json& findings) {
-  return findings.empty() ? "PASSED: the virtual machine found nothing wrong.\n"
-                          : "REJECTED: " + std::to_string(findings.size()) + " finding(s); the program keeps .rejected in its name.\n" + finding_rows(findings);
+/// A program that Volute made is kept under another name when it fails; one of others is only judged.
+std::string verdict(const Json& report) {
+  const Json& findings = report["findings"];
+  if (findings.empty()) return "PASSED: the virtual machine found nothing wrong.\n";
+  const std::string count = std::to_string(findings.size()) + " finding(s)";
+  return (report.contains("path") ? "REJECTED: " + count + "; the program keeps .rejected in its name.\n" : "FOUND: " + count + ".\n") + finding_rows(findings);
 }
 
 }  // namespace
@@ -124,7 +127,7 @@ std::string run_table(const Json& report, const std::filesystem::path& folder, c
   std::string names;
   for (const std::string& picture : pictures) names += (names.empty() ? "" : ", ") + picture;
   if (!names.empty()) text += table_row("pictures", names);
-  return text + "\n" + verdict(report["findings"]);
+  return text + "\n" + verdict(report);
 }
 
 }  // namespace volute::app
