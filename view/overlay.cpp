@@ -110,6 +110,19 @@ void draw_scale(cairo_t* cairo, const Image& image, const Camera& camera, double
   write(cairo, x + length + 14 * unit, y + 6 * unit, short_text(length_mm) + " mm", 24 * unit);
 }
 
+void draw_keys(cairo_t* cairo, const Image& image, const std::vector<ColourKey>& keys, double unit) {
+  double y = 190 * unit;
+  for (const ColourKey& key : keys) {
+    const double x = image.width - 330 * unit;
+    cairo_set_source_rgb(cairo, key.colour[0], key.colour[1], key.colour[2]);
+    cairo_rectangle(cairo, x, y, 30 * unit, 24 * unit);
+    cairo_fill(cairo);
+    cairo_set_source_rgb(cairo, 0.1, 0.1, 0.1);
+    write(cairo, x + 44 * unit, y + 20 * unit, key.name, 24 * unit);
+    y += 40 * unit;
+  }
+}
+
 }  // namespace
 
 double round_step(double span, int wanted) {
@@ -126,6 +139,7 @@ void draw_overlay(Image& image, const Camera& camera, const Overlay& overlay) {
   const double unit = size_unit(image);
   draw_title(cairo.get(), overlay, unit);
   if (overlay.bar != nullptr) draw_bar(cairo.get(), image, *overlay.bar, unit);
+  draw_keys(cairo.get(), image, overlay.keys, unit);
   if (overlay.triad) draw_triad(cairo.get(), image, camera, unit);
   if (overlay.scale) draw_scale(cairo.get(), image, camera, unit);
   cairo_surface_flush(surface.get());

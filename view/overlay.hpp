@@ -17,11 +17,18 @@ struct ColourBar {
   std::function<Colour(double share)> colour;  ///< share 0 at least, 1 at greatest
 };
 
+/// A colour with what it stands for.
+struct ColourKey {
+  std::string name;
+  Colour colour{};
+};
+
 struct Overlay {
   std::string title;
   std::vector<std::string> notes;  ///< lines under the title
   const ColourBar* bar = nullptr;
   bool triad = true, scale = true;
+  std::vector<ColourKey> keys = {};  ///< a list at the right, under the bar's place
 };
 
 /// Writes over `image` in place. The triad and the scale belong to `camera`.

@@ -16,7 +16,9 @@ using kinematics::MoveKind;
 const Vec3 default_view(-0.35, -0.9, 1.15);
 constexpr Colour obstacle_colour{0.72F, 0.60F, 0.52F};
 
-Box box_of(const RunView& view) {
+}  // namespace
+
+Box part_box(const RunView& view) {
   Box box;
   for (const Vec3& vertex : view.surface_P.vertices_mm) grow(box, vertex);
   for (const geometry::TriangleMesh& obstacle : view.obstacles_P)
@@ -31,6 +33,8 @@ void add_solids(Scene3d& scene, const RunView& view) {
   if (!view.surface_P.triangles.empty()) scene.meshes.push_back({&view.surface_P, {}, {0.80F, 0.83F, 0.86F}, 1.0F});
   for (const geometry::TriangleMesh& obstacle : view.obstacles_P) scene.meshes.push_back({&obstacle, {}, obstacle_colour, 1.0F});
 }
+
+namespace {
 
 double greatest_turn(const RunView& view) {
   double most = 0.0;
@@ -67,13 +71,15 @@ std::vector<ColouredLine> traced_lines(const RunView& view) {
   return lines;
 }
 
-Result<Image> finish(const Scene3d& scene, const Camera& camera, const Overlay& overlay) {
+}  // namespace
+
+Result<Image> finished_picture(const Scene3d& scene, const Camera& camera, const Overlay& overlay) {
   auto image = render(scene, camera, picture_width, picture_height);
   if (image) draw_overlay(*image, camera, overlay);
   return image;
 }
 
-}  // namespace
+Camera standard_camera(const Box& box) { return fit_camera(box, default_view, static_cast<double>(picture_width) / picture_height, 0.22); }
 
 Result<Image> path_picture(const RunView& view) {
   Scene3d scene;
@@ -83,8 +89,8 @@ Result<Image> path_picture(const RunView& view) {
   ColourBar bar{planned ? "turn" : "time, s", 0.0, planned ? turns : (view.trace.samples.empty() ? 0.0 : view.trace.samples.back().time_s), sequential_colour};
   if (planned) scene.lines.push_back(planned_line(view, turns));
   else scene.lines = traced_lines(view);
-  const Camera camera = fit_camera(box_of(view), default_view, static_cast<double>(picture_width) / picture_height, 0.22);
-  return finish(scene, camera, {view.title, {planned ? "tool path on the surface, coloured by turn of the spiral" : "tool tip while cutting, coloured by time"}, &bar});
+  const Camera camera = standard_camera(part_box(view));
+  return finished_picture(scene, camera, {view.title, {planned ? "tool path on the surface, coloured by turn of the spiral" : "tool tip while cutting, coloured by time"}, &bar});
 }
 
 Result<Image> machined_picture(const RunView& view) {
@@ -98,8 +104,8 @@ Result<Image> machined_picture(const RunView& view) {
     machined.vertex_colours.push_back(std::isfinite(deviation) ? diverging_colour(deviation / range) : Colour{0.15F, 0.15F, 0.15F});
   scene.meshes.push_back(std::move(machined));
   ColourBar bar{"deviation, mm", -range, range, [](double share) { return diverging_colour(2.0 * share - 1.0); }};
-  const Camera camera = fit_camera(box_of(view), default_view, static_cast<double>(picture_width) / picture_height, 0.22);
-  return finish(scene, camera, {view.title, {"machined surface: above zero is left, below is gouged; black: nothing came near"}, &bar});
+  const Camera camera = standard_camera(part_box(view));
+  return finished_picture(scene, camera, {view.title, {"machined surface: above zero is left, below is gouged; black: nothing came near"}, &bar});
 }
 
 }  // namespace volute::view

@@ -30,18 +30,40 @@ std::function<Result<std::string>()> svg(const RunView& view, Plot (*draw)(const
   return [&view, draw]() -> Result<std::string> { return svg_text(draw(view)); };
 }
 
+template <PathColour colour>
+Result<Image> path_by(const RunView& view) { return coloured_path_picture(view, colour); }
+Result<Image> whole_machine(const RunView& view) { return machine_picture(view, shown_moment_s(view), false); }
+Result<Image> near_machine(const RunView& view) { return machine_picture(view, shown_moment_s(view), true); }
+
+bool has_masses(const RunView& view) {
+  for (const kinematics::Axis& axis : view.profile->machine.axes)
+    if (axis.moved_mass_kg > 0.0) return true;
+  return false;
+}
+
 }  // namespace
 
 Result<std::vector<std::string>> write_pictures(const RunView& view, const std::filesystem::path& folder) {
   const bool surface = !view.surface_P.triangles.empty();
+  const bool planned = !view.tool_path.points.empty();
   const bool trace = view.profile.has_value() && !view.trace.samples.empty();
   const bool deviation = surface && view.cut && view.cut->vertex_deviation_mm.size() == view.surface_P.vertices_mm.size();
   const std::vector<PictureMaker> makers{
       {"path.png", surface || trace, png(view, path_picture)},
+      {"path-feed.png", trace, png(view, path_by<PathColour::feed>)},
+      {"path-limit.png", trace, png(view, path_by<PathColour::limit>)},
+      {"path-tilt.png", planned, png(view, path_by<PathColour::tilt>)},
+      {"orientation.png", planned, png(view, orientation_picture)},
+      {"map.png", !view.map_triangles.empty(), png(view, map_picture)},
       {"machined.png", deviation, png(view, machined_picture)},
+      {"machine.png", trace && !view.profile->machine.shapes.empty(), png(view, whole_machine)},
+      {"machine-close.png", trace, png(view, near_machine)},
       {"rotary-axes.svg", trace, svg(view, rotary_plot)},
       {"linear-axes.svg", trace, svg(view, linear_plot)},
       {"feed.svg", trace, svg(view, feed_plot)},
+      {"path.svg", trace, svg(view, path_plot)},
+      {"loads.svg", trace && has_masses(view), svg(view, loads_plot)},
+      {"deviation.svg", view.cut && !view.cut->histogram.empty(), svg(view, deviation_plot)},
   };
   std::vector<std::string> written;
   for (const PictureMaker& maker : makers) {
