@@ -3,6 +3,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include "planner/orientation/pin_loop.hpp"
 #include "tests/planner/scenes.hpp"
@@ -90,7 +91,11 @@ TEST(Orient, NamesThePointsWhereNothingIsAllowed) {
 
 TEST(Orient, SameBytesWhateverTheThreads) {
   Strip strip({wall_beside_the_middle()});
-  const auto a = strip.orient(Smoothing::acceleration), b = strip.orient(Smoothing::acceleration);
+  const auto with_threads = [&strip](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return strip.orient(Smoothing::acceleration);
+  };
+  const auto a = with_threads(1), b = with_threads(2);
   ASSERT_TRUE(a && b);
   EXPECT_EQ(a->rotaries_rad, b->rotaries_rad);
 }
