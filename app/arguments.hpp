@@ -17,8 +17,12 @@ struct CommonArguments {
   bool json = false;   ///< one JSON value on standard output, nothing else there
 };
 
-struct RunArguments { path job, out; };
-struct PlanArguments { path job, out; };
+struct RunArguments {
+  path job, out;
+};
+struct PlanArguments {
+  path job, out;
+};
 struct PostArguments {
   path cl_file;
   std::string machine;
@@ -34,14 +38,27 @@ struct SimulateArguments {
   std::string setup;
   double tool_length_mm = 100.0;
   double scallop_mm = 0.1;  ///< higher than this counts as uncut
-  path compare;        ///< a second program to set beside the first; empty: none
+  path compare;             ///< a second program to set beside the first; empty: none
   path out;
 };
-struct CompareArguments { path job; std::vector<std::string> strategies; path out; };
-struct FieldArguments { path job, out; };
-struct InspectArguments { std::vector<path> parts; double unit_mm = 1.0; };
-struct MachinesArguments { std::string name; };
-struct RenderArguments { path folder; };
+struct CompareArguments {
+  path job;
+  std::vector<std::string> strategies;
+  path out;
+};
+struct FieldArguments {
+  path job, out;
+};
+struct InspectArguments {
+  std::vector<path> parts;
+  double unit_mm = 1.0;
+};
+struct MachinesArguments {
+  std::string name;
+};
+struct RenderArguments {
+  path folder;
+};
 
 using CommandArguments = std::variant<RunArguments, PlanArguments, PostArguments, SimulateArguments, CompareArguments,
                                       FieldArguments, InspectArguments, MachinesArguments, RenderArguments>;
@@ -51,8 +68,8 @@ struct CommandLine {
   CommandArguments command;
 };
 
-/// Either a command line to carry out, or an exit status: help and version were printed (0), or the usage was wrong (2, one line on
-/// standard error).
+/// Either a command line to carry out, or an exit status: help and version were printed (0), or the usage was wrong (2,
+/// one line on standard error).
 std::variant<CommandLine, int> parse_command_line(int count, char** words);
 
 }  // namespace volute::app

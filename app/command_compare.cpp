@@ -16,7 +16,10 @@ using geometry::fixed_text;
 using geometry::Result;
 using planner::Strategy;
 
-struct NamedStrategy { const char* name; Strategy strategy; };
+struct NamedStrategy {
+  const char* name;
+  Strategy strategy;
+};
 constexpr std::array<NamedStrategy, 5> all_strategies{{{"contour-parallel", Strategy::contour_parallel},
                                                        {"projected-spiral", Strategy::projected_spiral},
                                                        {"contour-offset", Strategy::contour_offset},
@@ -28,9 +31,13 @@ const std::vector<std::string> table_2_strategies{"contour-offset", "projected-s
 Result<std::vector<NamedStrategy>> chosen(const std::vector<std::string>& names) {
   std::vector<NamedStrategy> list;
   for (const std::string& name : names.empty() ? table_2_strategies : names) {
-    const auto* found = std::find_if(all_strategies.begin(), all_strategies.end(), [&](const NamedStrategy& s) { return name == s.name; });
+    const auto* found = std::find_if(all_strategies.begin(), all_strategies.end(),
+                                     [&](const NamedStrategy& s) { return name == s.name; });
     if (found == all_strategies.end())
-      return geometry::bad_input("strategy-unknown", "--strategies " + name + ": is none of contour-parallel, projected-spiral, contour-offset, iso-planar, spiral");
+      return geometry::bad_input(
+          "strategy-unknown",
+          "--strategies " + name +
+              ": is none of contour-parallel, projected-spiral, contour-offset, iso-planar, spiral");
     list.push_back(*found);
   }
   return list;
@@ -44,9 +51,12 @@ Result<Json> run_strategy(JobInputs& inputs, const NamedStrategy& strategy, cons
   if (!posted) return tl::unexpected(posted.error());
   const auto verified = verify_job(inputs, *plan, *posted, context.progress());
   if (!verified) return tl::unexpected(verified.error());
-  const auto program = out.write_program(inputs.job.name + "-" + strategy.name, inputs.profile.control.program_extension, posted->text, verified->findings.empty());
+  const auto program =
+      out.write_program(inputs.job.name + "-" + strategy.name, inputs.profile.control.program_extension, posted->text,
+                        verified->findings.empty());
   if (!program) return tl::unexpected(program.error());
-  Json report{{"strategy", strategy.name}, {"program", {{"file", *program}, {"blocks", posted->blocks}, {"bytes", posted->text.size()}}}};
+  Json report{{"strategy", strategy.name},
+              {"program", {{"file", *program}, {"blocks", posted->blocks}, {"bytes", posted->text.size()}}}};
   report.update(plan_json(*plan));
   report.update(verify_json(*verified, inputs.profile, plan->orientation.interferences_after));
   view::RunView view = run_view(inputs, *plan, *posted, *verified);
@@ -55,9 +65,11 @@ Result<Json> run_strategy(JobInputs& inputs, const NamedStrategy& strategy, cons
   view.report_json = without_seconds(report).dump(2);
   const auto folder = OutputFolder::make(out.file(strategy.name));
   if (!folder) return tl::unexpected(folder.error());
-  if (auto written = folder->write("report.json", report.dump(2) + "\n"); !written) return tl::unexpected(written.error());
+  if (auto written = folder->write("report.json", report.dump(2) + "\n"); !written)
+    return tl::unexpected(written.error());
   if (auto pictures = view::write_pictures(view, folder->folder()); !pictures) return tl::unexpected(pictures.error());
-  if (auto page = view::write_report_html(view, folder->file("report.html")); !page) return tl::unexpected(page.error());
+  if (auto page = view::write_report_html(view, folder->file("report.html")); !page)
+    return tl::unexpected(page.error());
   return report;
 }
 
@@ -66,21 +78,27 @@ std::string column(const std::string& text, std::size_t width) {
 }
 
 std::string table_2(const Json& rows) {
-  std::string text = "  strategy            rapids  lifts  links  corners  uncut  length mm  feed mm/min   loss %   time s\n";
+  std::string text =
+      "  strategy            rapids  lifts  links  corners  uncut  length mm  feed mm/min   loss %   time s\n";
   for (const Json& row : rows) {
     const std::string name = row["strategy"].get<std::string>();
     if (row.contains("error")) {
-      text += "  " + name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ') + "  " + row["error"].get<std::string>() + "\n";
+      text += "  " + name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ') + "  " +
+              row["error"].get<std::string>() + "\n";
       continue;
     }
     const Json& path = row["path"];
     const Json& run = row["run"];
     const bool uncut = row.contains("machining") && row["machining"]["uncut"].get<bool>();
-    text += "  " + name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ') + column(std::to_string(path["rapid_traversals"].get<int>()), 8) +
-            column(std::to_string(path["liftings"].get<int>()), 7) + column(std::to_string(path["linkings"].get<int>()), 7) +
+    text += "  " + name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ') +
+            column(std::to_string(path["rapid_traversals"].get<int>()), 8) +
+            column(std::to_string(path["liftings"].get<int>()), 7) +
+            column(std::to_string(path["linkings"].get<int>()), 7) +
             column(std::to_string(path["sharp_corners"].get<int>()), 9) + column(uncut ? "Y" : "N", 7) +
-            column(fixed_text(path["length_mm"].get<double>(), 0), 11) + column(fixed_text(run["actual_feed_mm_min"].get<double>(), 1), 13) +
-            column(fixed_text(run["feed_loss_percent"].get<double>(), 2), 9) + column(fixed_text(run["cycle_time_s"].get<double>(), 1), 9) + "\n";
+            column(fixed_text(path["length_mm"].get<double>(), 0), 11) +
+            column(fixed_text(run["actual_feed_mm_min"].get<double>(), 1), 13) +
+            column(fixed_text(run["feed_loss_percent"].get<double>(), 2), 9) +
+            column(fixed_text(run["cycle_time_s"].get<double>(), 1), 9) + "\n";
   }
   return text;
 }
@@ -100,9 +118,11 @@ Result<int> compare(const CompareArguments& arguments, Context& context) {
     rows.push_back(row ? *row : Json{{"strategy", strategy.name}, {"error", row.error().message}});
   }
   const Json report{{"job", inputs->job.name}, {"profile", inputs->profile.name}, {"strategies", rows}};
-  if (auto written = out->write("comparison.json", report.dump(2) + "\n"); !written) return tl::unexpected(written.error());
+  if (auto written = out->write("comparison.json", report.dump(2) + "\n"); !written)
+    return tl::unexpected(written.error());
   context.print(report, table_2(rows));
-  const bool found = std::any_of(rows.begin(), rows.end(), [](const Json& row) { return row.contains("error") || !row["findings"].empty(); });
+  const bool found = std::any_of(rows.begin(), rows.end(),
+                                 [](const Json& row) { return row.contains("error") || !row["findings"].empty(); });
   return found ? exit_found : exit_clean;
 }
 

@@ -25,7 +25,10 @@ Result<std::vector<planner::PointKey>> point_keys(const Job& job) {
   std::vector<planner::PointKey> keys;
   for (const planner::KeyOrientation& key : job.orientation.keys) {
     if (!key.point_P_mm)
-      return geometry::bad_input("field-key-without-point", job.file.string() + ": orientation.keys: a field needs point_mm in every key; this job has keys along the path (at)");
+      return geometry::bad_input(
+          "field-key-without-point",
+          job.file.string() +
+              ": orientation.keys: a field needs point_mm in every key; this job has keys along the path (at)");
     keys.push_back({*key.point_P_mm, key.axis_P});
   }
   return keys;
@@ -71,11 +74,14 @@ Json field_json(const planner::MeshFieldReport& report) {
 }
 
 std::string field_table(const planner::MeshFieldReport& report, const std::string& picture) {
-  std::string text = table_row("key axes", std::to_string(report.keys) + "; reciprocal condition " + short_text(report.reciprocal_condition, 2));
-  text += table_row("at the keys", "I_fa " + geometry::fixed_text(report.fitting_accuracy, 9) + ", largest angle " + short_text(report.largest_key_angle.degrees(), 3) + " deg");
+  std::string text = table_row(
+      "key axes", std::to_string(report.keys) + "; reciprocal condition " + short_text(report.reciprocal_condition, 2));
+  text += table_row("at the keys", "I_fa " + geometry::fixed_text(report.fitting_accuracy, 9) + ", largest angle " +
+                                       short_text(report.largest_key_angle.degrees(), 3) + " deg");
   text += table_row("Dirichlet energy", short_text(report.dirichlet_per_mm2, 5) + " per mm2");
   text += table_row("largest turn on an edge", short_text(report.largest_turn.degrees(), 4) + " deg");
-  text += table_row("tilt from the normal", short_text(report.tilt_least.degrees(), 4) + " to " + short_text(report.tilt_greatest.degrees(), 4) + " deg");
+  text += table_row("tilt from the normal", short_text(report.tilt_least.degrees(), 4) + " to " +
+                                                short_text(report.tilt_greatest.degrees(), 4) + " deg");
   return text + table_row("picture", picture);
 }
 
@@ -91,7 +97,8 @@ Result<int> field(const FieldArguments& arguments, Context& context) {
   if (!out) return tl::unexpected(out.error());
   const Json report = field_json(made->report);
   if (auto written = out->write("field.json", report.dump(2) + "\n"); !written) return tl::unexpected(written.error());
-  if (auto written = out->write("field.csv", table_text(inputs->surface, *made)); !written) return tl::unexpected(written.error());
+  if (auto written = out->write("field.csv", table_text(inputs->surface, *made)); !written)
+    return tl::unexpected(written.error());
   const auto pictures = view::write_pictures(field_view(*inputs, *made), out->folder());
   if (!pictures) return tl::unexpected(pictures.error());
   std::string names;

@@ -21,7 +21,8 @@ std::string row(const std::string& name, const std::string& value) {
 std::string size_text(const MeshReport& report) {
   const geometry::Vec3 size = report.greatest_mm - report.least_mm;
   return short_text(size.x()) + " x " + short_text(size.y()) + " x " + short_text(size.z()) + " mm, from (" +
-         short_text(report.least_mm.x()) + ", " + short_text(report.least_mm.y()) + ", " + short_text(report.least_mm.z()) + ")";
+         short_text(report.least_mm.x()) + ", " + short_text(report.least_mm.y()) + ", " +
+         short_text(report.least_mm.z()) + ")";
 }
 
 std::string loops_text(const MeshReport& report) {
@@ -36,14 +37,15 @@ std::string loops_text(const MeshReport& report) {
 }
 
 std::string human_text(const MeshReport& report, const std::string& file) {
-  std::string text = file + ": " + (report.machinable ? "can be machined" : "cannot be machined: " + report.reason) + "\n";
+  std::string text =
+      file + ": " + (report.machinable ? "can be machined" : "cannot be machined: " + report.reason) + "\n";
   text += row("triangles, vertices", std::to_string(report.triangles) + ", " + std::to_string(report.vertices));
   text += row("size", size_text(report));
   text += row("area", short_text(report.area_mm2) + " mm2");
   text += row("boundary loops", loops_text(report));
   text += row("components, handles", std::to_string(report.components.size()) + ", " + std::to_string(report.handles));
-  text += row("angles", short_text(report.least_angle_deg, 3) + " to " + short_text(report.greatest_angle_deg, 4) + " deg; " +
-                            std::to_string(report.obtuse_triangles) + " obtuse triangles");
+  text += row("angles", short_text(report.least_angle_deg, 3) + " to " + short_text(report.greatest_angle_deg, 4) +
+                            " deg; " + std::to_string(report.obtuse_triangles) + " obtuse triangles");
   text += row("median edge", short_text(report.median_edge_mm, 4) + " mm");
   return text;
 }
@@ -58,12 +60,16 @@ int inspect_command(const InspectArguments& arguments, Context& context) {
     const auto loaded = geometry::load_mesh(part, arguments.unit_mm);
     if (!loaded) {
       status = context.fail(loaded.error());
-      values.push_back({{"file", part.string()}, {"machinable", false}, {"reason_code", loaded.error().code}, {"reason", loaded.error().message}});
+      values.push_back({{"file", part.string()},
+                        {"machinable", false},
+                        {"reason_code", loaded.error().code},
+                        {"reason", loaded.error().message}});
       continue;
     }
     const MeshReport report = geometry::inspect(*loaded);
     if (report.machinable) context.warn(report.repairs.warnings);
-    if (!report.machinable) status = context.fail({geometry::ErrorKind::bad_input, report.reason_code, part.string() + ": " + report.reason});
+    if (!report.machinable)
+      status = context.fail({geometry::ErrorKind::bad_input, report.reason_code, part.string() + ": " + report.reason});
     values.push_back(mesh_json(report, part.string()));
     text += human_text(report, part.string());
   }

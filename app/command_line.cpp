@@ -38,7 +38,8 @@ struct Places {
 
 CLI::App* add_command(CLI::App& app, CommonArguments& common, const char* name, const char* text) {
   CLI::App* command = app.add_subcommand(name, text);
-  command->add_option("--threads", common.threads, "Threads to use (default: all cores); the result does not depend on it")
+  command
+      ->add_option("--threads", common.threads, "Threads to use (default: all cores); the result does not depend on it")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--quiet", common.quiet, "No progress on standard error");
   command->add_flag("--json", common.json, "Print one JSON value on standard output and nothing else there");
@@ -54,15 +55,20 @@ void add_job_commands(CLI::App& app, Places& places) {
   constexpr const char* out_text = "Folder for the results (default: JOB's name without .toml, in the current folder)";
   CLI::App* run = add_command(app, places.common, "run", "Everything: plan, post, simulate, report");
   add_job_command(run, places.run.job, places.run.out, out_text);
-  run->footer("Example: volute run examples/mouse.toml --out mouse\n"
-              "Writes toolpath.cls, plan.json, the program (.nc, or .rejected.nc when the verifier found something), report.json,\n"
-              "report.html and pictures.");
-  CLI::App* plan = add_command(app, places.common, "plan", "Tool path only: toolpath.cls (ISO 4343 CL data) and plan.json");
+  run->footer(
+      "Example: volute run examples/mouse.toml --out mouse\n"
+      "Writes toolpath.cls, plan.json, the program (.nc, or .rejected.nc when the verifier found something), "
+      "report.json,\n"
+      "report.html and pictures.");
+  CLI::App* plan =
+      add_command(app, places.common, "plan", "Tool path only: toolpath.cls (ISO 4343 CL data) and plan.json");
   add_job_command(plan, places.plan.job, places.plan.out, out_text);
-  CLI::App* compare = add_command(app, places.common, "compare", "One part, several strategies, one table (Table 2 of [Sun2016])");
+  CLI::App* compare =
+      add_command(app, places.common, "compare", "One part, several strategies, one table (Table 2 of [Sun2016])");
   add_job_command(compare, places.compare.job, places.compare.out, out_text);
-  compare->add_option("--strategies", places.compare.strategies,
-                      "Comma separated: spiral,contour-parallel,projected-spiral,contour-offset,iso-planar")
+  compare
+      ->add_option("--strategies", places.compare.strategies,
+                   "Comma separated: spiral,contour-parallel,projected-spiral,contour-offset,iso-planar")
       ->delimiter(',');
   CLI::App* field = add_command(app, places.common, "field", "Orientation field from key axes ([Huang2016])");
   add_job_command(field, places.field.job, places.field.out, out_text);
@@ -74,7 +80,8 @@ void add_program_commands(CLI::App& app, Places& places) {
   post->add_option("--machine", places.post.machine, "Profile name or path; `volute machines` lists them")->required();
   post->add_option("--out", places.post.out, "The program's file (default: beside FILE)");
   post->add_option("--setup", places.post.setup, "Part origin in the machine: x,y,z in mm (default 0,0,0)");
-  post->add_option("--tolerance", places.post.tolerance_mm, "Linearization tolerance in mm")->check(CLI::PositiveNumber);
+  post->add_option("--tolerance", places.post.tolerance_mm, "Linearization tolerance in mm")
+      ->check(CLI::PositiveNumber);
   post->footer("Example: volute post impeller.cls --machine ac-head-siemens --out impeller.mpf");
 
   SimulateArguments& simulate_places = places.simulate;
@@ -84,20 +91,26 @@ void add_program_commands(CLI::App& app, Places& places) {
   simulate->add_option("--part", simulate_places.part, "Design surface: what is left on it, what touches it");
   simulate->add_option("--cutter", simulate_places.cutter, "ball,3  flat,5  bull,6,1  (radius, corner radius in mm)");
   simulate->add_option("--setup", simulate_places.setup, "Part origin in the machine: x,y,z in mm (default 0,0,0)");
-  simulate->add_option("--tool-length", simulate_places.tool_length_mm, "Tip to gauge line in mm")->check(CLI::PositiveNumber);
-  simulate->add_option("--scallop", simulate_places.scallop_mm, "Material higher than this above the surface is uncut, in mm")
+  simulate->add_option("--tool-length", simulate_places.tool_length_mm, "Tip to gauge line in mm")
+      ->check(CLI::PositiveNumber);
+  simulate
+      ->add_option("--scallop", simulate_places.scallop_mm,
+                   "Material higher than this above the surface is uncut, in mm")
       ->check(CLI::PositiveNumber);
   simulate->add_option("--compare", simulate_places.compare, "A second program to set beside the first");
   simulate->add_option("--out", simulate_places.out, "Folder for report.json, report.html, trace.csv and pictures");
-  simulate->footer("Example: volute simulate theirs.nc --machine ac-head-fanuc --part part.stl --cutter ball,3 --out theirs");
+  simulate->footer(
+      "Example: volute simulate theirs.nc --machine ac-head-fanuc --part part.stl --cutter ball,3 --out theirs");
 }
 
 void add_other_commands(CLI::App& app, Places& places) {
   CLI::App* inspect = add_command(app, places.common, "inspect",
                                   "Loops, components, handles, triangle quality: can it be machined, and if not, why");
   inspect->add_option("PART", places.inspect.parts, "STL, OBJ, PLY or OFF")->required();
-  inspect->add_option("--unit", places.inspect.unit_mm, "Length of one file unit in mm (25.4 for inches)")->check(CLI::PositiveNumber);
-  CLI::App* machines = add_command(app, places.common, "machines", "The profiles, or one of them checked and explained");
+  inspect->add_option("--unit", places.inspect.unit_mm, "Length of one file unit in mm (25.4 for inches)")
+      ->check(CLI::PositiveNumber);
+  CLI::App* machines =
+      add_command(app, places.common, "machines", "The profiles, or one of them checked and explained");
   machines->add_option("NAME", places.machines.name, "Profile name or path");
   CLI::App* render = add_command(app, places.common, "render", "The pictures of a run again, from its files");
   render->add_option("DIR", places.render.folder, "Folder that `volute run` or `volute simulate` wrote")->required();

@@ -23,7 +23,8 @@ geometry::Result<int> plan(const PlanArguments& arguments, Context& context) {
   const auto out = OutputFolder::make(arguments.out.empty() ? path(inputs->job.name) : arguments.out);
   if (!out) return tl::unexpected(out.error());
   const Json report = plan_json(*planned);
-  if (auto written = out->write("toolpath.cls", cl_text(*inputs, *planned)); !written) return tl::unexpected(written.error());
+  if (auto written = out->write("toolpath.cls", cl_text(*inputs, *planned)); !written)
+    return tl::unexpected(written.error());
   if (auto written = out->write("plan.json", report.dump(2) + "\n"); !written) return tl::unexpected(written.error());
   context.print(report, plan_table(report, out->folder()));
   return exit_clean;

@@ -48,11 +48,14 @@ geometry::Result<int> post(const PostArguments& arguments, Context& context) {
                   {"rewinds", posted->linearization.rewinds},
                   {"pole_crossings", posted->linearization.pole_crossings},
                   {"chordal_error_mm", posted->linearization.chordal_error_after_mm}};
-  context.print(json, table_row("program", out.string() + ", " + std::to_string(posted->blocks) + " blocks, " + profile->control.name) +
-                          table_row("linearization", std::to_string(posted->linearization.points_added) + " points put in; error " +
-                                                         geometry::short_text(posted->linearization.chordal_error_after_mm, 3) + " mm") +
-                          table_row("rewinds, pole crossings", std::to_string(posted->linearization.rewinds) + ", " +
-                                                                   std::to_string(posted->linearization.pole_crossings)));
+  context.print(
+      json,
+      table_row("program", out.string() + ", " + std::to_string(posted->blocks) + " blocks, " + profile->control.name) +
+          table_row("linearization", std::to_string(posted->linearization.points_added) + " points put in; error " +
+                                         geometry::short_text(posted->linearization.chordal_error_after_mm, 3) +
+                                         " mm") +
+          table_row("rewinds, pole crossings", std::to_string(posted->linearization.rewinds) + ", " +
+                                                   std::to_string(posted->linearization.pole_crossings)));
   return exit_clean;
 }
 

@@ -14,7 +14,8 @@ int render_command(const RenderArguments& arguments, Context& context) {
   if (!view) return context.fail(view.error());
   const auto pictures = view::write_pictures(*view, arguments.folder);
   if (!pictures) return context.fail(pictures.error());
-  if (auto page = view::write_report_html(*view, arguments.folder / "report.html"); !page) return context.fail(page.error());
+  if (auto page = view::write_report_html(*view, arguments.folder / "report.html"); !page)
+    return context.fail(page.error());
   std::string text;
   for (const std::string& picture : *pictures) text += table_row("picture", (arguments.folder / picture).string());
   context.print(Json{{"folder", arguments.folder.string()}, {"pictures", *pictures}}, text);

@@ -60,10 +60,13 @@ Result<int> run(const RunArguments& arguments, Context& context) {
   const auto out = OutputFolder::make(arguments.out.empty() ? path(inputs->job.name) : arguments.out);
   if (!out) return tl::unexpected(out.error());
   const bool passed = verified->findings.empty();
-  const auto program = out->write_program(inputs->job.name, inputs->profile.control.program_extension, posted->text, passed);
+  const auto program =
+      out->write_program(inputs->job.name, inputs->profile.control.program_extension, posted->text, passed);
   if (!program) return tl::unexpected(program.error());
-  if (auto written = out->write("toolpath.cls", cl_text(*inputs, *plan)); !written) return tl::unexpected(written.error());
-  if (auto written = out->write("plan.json", plan_json(*plan).dump(2) + "\n"); !written) return tl::unexpected(written.error());
+  if (auto written = out->write("toolpath.cls", cl_text(*inputs, *plan)); !written)
+    return tl::unexpected(written.error());
+  if (auto written = out->write("plan.json", plan_json(*plan).dump(2) + "\n"); !written)
+    return tl::unexpected(written.error());
 
   const Json report = full_report(*inputs, *plan, *posted, *verified, *program);
   view::RunView view = run_view(*inputs, *plan, *posted, *verified);

@@ -104,9 +104,11 @@ view::RunView view_of(const path& program, const Bench& bench, const Simulated& 
   return view;
 }
 
-Result<std::vector<std::string>> write_results(const path& program, const Bench& bench, const Simulated& simulated, const OutputFolder& out) {
+Result<std::vector<std::string>> write_results(const path& program, const Bench& bench, const Simulated& simulated,
+                                               const OutputFolder& out) {
   const view::RunView view = view_of(program, bench, simulated);
-  if (auto written = out.write("report.json", simulated.report.dump(2) + "\n"); !written) return tl::unexpected(written.error());
+  if (auto written = out.write("report.json", simulated.report.dump(2) + "\n"); !written)
+    return tl::unexpected(written.error());
   if (auto saved = view::save_view(view, out.folder()); !saved) return tl::unexpected(saved.error());
   auto pictures = view::write_pictures(view, out.folder());
   if (!pictures) return pictures;
@@ -121,18 +123,23 @@ std::string comparison_table(const Json& first, const Json& second) {
     return table_row(name, geometry::fixed_text(a, decimals) + "   " + geometry::fixed_text(b, decimals) + "   (" +
                                geometry::fixed_text(a != 0.0 ? 100.0 * (b - a) / a : 0.0, 2) + " %)");
   };
-  return table_row("", first["program"]["file"].get<std::string>() + "   " + second["program"]["file"].get<std::string>()) +
-         row("cycle time, s", "cycle_time_s", 3) + row("actual feed, mm/min", "actual_feed_mm_min", 1) + row("loss, %", "feed_loss_percent", 2);
+  return table_row("",
+                   first["program"]["file"].get<std::string>() + "   " + second["program"]["file"].get<std::string>()) +
+         row("cycle time, s", "cycle_time_s", 3) + row("actual feed, mm/min", "actual_feed_mm_min", 1) +
+         row("loss, %", "feed_loss_percent", 2);
 }
 
 Result<int> simulate(const SimulateArguments& arguments, Context& context) {
   if (!arguments.part.empty() && arguments.cutter.empty())
-    return geometry::bad_input("cutter-missing", "--part is given without --cutter: say which cutter the program is for, as in --cutter ball,3");
+    return geometry::bad_input(
+        "cutter-missing",
+        "--part is given without --cutter: say which cutter the program is for, as in --cutter ball,3");
   const auto bench = set_up(arguments, context);
   if (!bench) return tl::unexpected(bench.error());
   const auto first = simulate_one(arguments.program, *bench, context);
   if (!first) return tl::unexpected(first.error());
-  const auto out = OutputFolder::make(arguments.out.empty() ? path(arguments.program.stem().string() + "-simulation") : arguments.out);
+  const auto out = OutputFolder::make(arguments.out.empty() ? path(arguments.program.stem().string() + "-simulation")
+                                                            : arguments.out);
   if (!out) return tl::unexpected(out.error());
   const auto pictures = write_results(arguments.program, *bench, *first, *out);
   if (!pictures) return tl::unexpected(pictures.error());

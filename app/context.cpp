@@ -17,7 +17,8 @@ std::filesystem::path find_machines_folder() {
   const std::filesystem::path here = program.parent_path();
   for (const char* candidate : {"../../machines", "../share/volute/machines", "../machines", "../../../machines"}) {
     const std::filesystem::path folder = here / candidate;
-    if (std::filesystem::is_directory(folder / "controls", ignored)) return std::filesystem::weakly_canonical(folder, ignored);
+    if (std::filesystem::is_directory(folder / "controls", ignored))
+      return std::filesystem::weakly_canonical(folder, ignored);
   }
   return here / "machines";
 }

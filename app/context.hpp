@@ -18,8 +18,8 @@ class Context {
 
   [[nodiscard]] Progress& progress() { return progress_; }
   [[nodiscard]] bool json() const { return common_.json; }
-  /// Folder with the machine files: $VOLUTE_MACHINES, else beside the program (../../machines of the build, ../share/volute/machines
-  /// when installed).
+  /// Folder with the machine files: $VOLUTE_MACHINES, else beside the program (../../machines of the build,
+  /// ../share/volute/machines when installed).
   [[nodiscard]] const std::filesystem::path& machines_folder() const { return machines_folder_; }
 
   /// Standard output: the JSON value with --json, else the text.

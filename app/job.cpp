@@ -27,7 +27,8 @@ class JobReader {
 
   geometry::Result<Job> read() {
     if (reader_.error()) return tl::unexpected(*reader_.error());
-    reader_.only_keys(root(), "", {"part", "tool", "holder", "scene", "path", "orientation", "process", "machine", "field"});
+    reader_.only_keys(root(), "",
+                      {"part", "tool", "holder", "scene", "path", "orientation", "process", "machine", "field"});
     read_part();
     read_tool();
     read_holder();
@@ -57,17 +58,20 @@ class JobReader {
     return list;
   }
 
-  Angle angle(const toml::table& table, const std::string& where, std::string_view key, Angle fallback, double least_deg, double most_deg) {
+  Angle angle(const toml::table& table, const std::string& where, std::string_view key, Angle fallback,
+              double least_deg, double most_deg) {
     const double value = reader_.number(table, where, key, fallback.degrees());
     if (value < least_deg || value > most_deg)
-      reader_.refuse(table.get(key), where + "." + std::string(key),
-                     short_text(value) + " deg must lie in [" + short_text(least_deg) + ", " + short_text(most_deg) + "]");
+      reader_.refuse(
+          table.get(key), where + "." + std::string(key),
+          short_text(value) + " deg must lie in [" + short_text(least_deg) + ", " + short_text(most_deg) + "]");
     return Angle::degrees(value);
   }
 
   double not_negative(const toml::table& table, const std::string& where, std::string_view key, double fallback) {
     const double value = reader_.number(table, where, key, fallback);
-    if (value < 0.0) reader_.refuse(table.get(key), where + "." + std::string(key), short_text(value) + " must not be below 0");
+    if (value < 0.0)
+      reader_.refuse(table.get(key), where + "." + std::string(key), short_text(value) + " must not be below 0");
     return value;
   }
 
@@ -79,18 +83,22 @@ class JobReader {
     job_.component = reader_.integer(part, "part", "component", -1, 0, 1'000'000);
   }
 
-  static double unit_of(const toml::table& part) { return part["unit"].value_or(std::string()) == "inch" ? 25.4 : 1000.0; }
+  static double unit_of(const toml::table& part) {
+    return part["unit"].value_or(std::string()) == "inch" ? 25.4 : 1000.0;
+  }
 
   void read_tool() {
     const toml::table& tool = reader_.table(root(), "", "tool");
-    reader_.only_keys(tool, "tool", {"name", "number", "shape", "radius_mm", "corner_radius_mm", "taper_deg", "length_mm", "flutes",
-                                     "shank_radius_mm", "stick_out_mm", "gauge_length_mm"});
+    reader_.only_keys(tool, "tool",
+                      {"name", "number", "shape", "radius_mm", "corner_radius_mm", "taper_deg", "length_mm", "flutes",
+                       "shank_radius_mm", "stick_out_mm", "gauge_length_mm"});
     kinematics::Cutter& cutter = job_.tool.cutter;
-    constexpr std::array shapes{kinematics::CutterShape::ball, kinematics::CutterShape::bull, kinematics::CutterShape::flat,
-                                kinematics::CutterShape::taper_ball};
+    constexpr std::array shapes{kinematics::CutterShape::ball, kinematics::CutterShape::bull,
+                                kinematics::CutterShape::flat, kinematics::CutterShape::taper_ball};
     cutter.shape = shapes[reader_.choice(tool, "tool", "shape", {"ball", "bull", "flat", "taper-ball"}, 0)];
     cutter.radius_mm = reader_.positive(tool, "tool", "radius_mm");
-    const bool round = cutter.shape == kinematics::CutterShape::ball || cutter.shape == kinematics::CutterShape::taper_ball;
+    const bool round =
+        cutter.shape == kinematics::CutterShape::ball || cutter.shape == kinematics::CutterShape::taper_ball;
     cutter.corner_radius_mm = not_negative(tool, "tool", "corner_radius_mm", round ? cutter.radius_mm : 0.0);
     if (cutter.shape == kinematics::CutterShape::bull && !tool.contains("corner_radius_mm"))
       reader_.refuse(&tool, "tool.corner_radius_mm", "is missing; a bull cutter needs it (mm)", "key");
@@ -109,7 +117,9 @@ class JobReader {
     reader_.only_keys(holder, "holder", {"segments"});
     const toml::array* segments = holder["segments"].as_array();
     if (!segments) {
-      if (holder.contains("segments")) reader_.refuse(holder.get("segments"), "holder.segments", "must be a list of [bottom diameter, top diameter, length]");
+      if (holder.contains("segments"))
+        reader_.refuse(holder.get("segments"), "holder.segments",
+                       "must be a list of [bottom diameter, top diameter, length]");
       return;
     }
     double z_mm = job_.tool.stick_out_mm;
@@ -129,7 +139,9 @@ class JobReader {
       good = value.has_value() && (i < 2 ? *value >= 0.0 : *value > 0.0);
       values[i] = value.value_or(0.0);
     }
-    if (!good) reader_.refuse(&node, "holder.segments", "each segment is [bottom diameter, top diameter, length] in mm, length above 0");
+    if (!good)
+      reader_.refuse(&node, "holder.segments",
+                     "each segment is [bottom diameter, top diameter, length] in mm, length above 0");
     return values;
   }
 
@@ -145,17 +157,20 @@ class JobReader {
   void read_path() {
     using planner::Method, planner::Strategy, planner::Direction, planner::CutDirection;
     const toml::table& path = reader_.table(root(), "", "path");
-    reader_.only_keys(path, "path", {"strategy", "method", "scallop_mm", "tolerance_mm", "direction", "cut_direction", "allowance_mm",
-                                     "centre_loop", "from_turn", "to_turn", "plane_angle_deg"});
-    constexpr std::array strategies{Strategy::spiral, Strategy::contour_parallel, Strategy::projected_spiral, Strategy::contour_offset,
-                                    Strategy::iso_planar};
-    job_.path.strategy = strategies[reader_.choice(path, "path", "strategy",
-                                                   {"spiral", "contour-parallel", "projected-spiral", "contour-offset", "iso-planar"}, 0)];
+    reader_.only_keys(path, "path",
+                      {"strategy", "method", "scallop_mm", "tolerance_mm", "direction", "cut_direction", "allowance_mm",
+                       "centre_loop", "from_turn", "to_turn", "plane_angle_deg"});
+    constexpr std::array strategies{Strategy::spiral, Strategy::contour_parallel, Strategy::projected_spiral,
+                                    Strategy::contour_offset, Strategy::iso_planar};
+    job_.path.strategy = strategies[reader_.choice(
+        path, "path", "strategy", {"spiral", "contour-parallel", "projected-spiral", "contour-offset", "iso-planar"},
+        0)];
     constexpr std::array methods{Method::even, Method::periodic, Method::paper};
     job_.path.method = methods[reader_.choice(path, "path", "method", {"even", "periodic", "paper"}, 0)];
     job_.path.scallop_mm = reader_.positive(path, "path", "scallop_mm", 0.1);
     job_.path.tolerance_mm = reader_.positive(path, "path", "tolerance_mm", 0.01);
-    job_.path.direction = reader_.choice(path, "path", "direction", {"inward", "outward"}, 0) == 0 ? Direction::inward : Direction::outward;
+    job_.path.direction = reader_.choice(path, "path", "direction", {"inward", "outward"}, 0) == 0 ? Direction::inward
+                                                                                                   : Direction::outward;
     constexpr std::array cuts{CutDirection::any, CutDirection::climb, CutDirection::conventional};
     job_.path.cut_direction = cuts[reader_.choice(path, "path", "cut_direction", {"any", "climb", "conventional"}, 0)];
     job_.path.allowance_mm = not_negative(path, "path", "allowance_mm", 0.0);
@@ -164,34 +179,43 @@ class JobReader {
     if (path.contains("to_turn")) job_.path.to_turn = not_negative(path, "path", "to_turn", 0.0);
     job_.path.plane_angle_rad = angle(path, "path", "plane_angle_deg", Angle(), -360.0, 360.0).radians();
     if (job_.path.scallop_mm >= job_.tool.cutter.radius_mm)
-      reader_.refuse(path.get("scallop_mm"), "path.scallop_mm", short_text(job_.path.scallop_mm) + " must be below tool.radius_mm = " +
-                                                                    short_text(job_.tool.cutter.radius_mm));
+      reader_.refuse(path.get("scallop_mm"), "path.scallop_mm",
+                     short_text(job_.path.scallop_mm) +
+                         " must be below tool.radius_mm = " + short_text(job_.tool.cutter.radius_mm));
   }
 
   void read_orientation() {
     using planner::Smoothing;
     const toml::table& table = reader_.optional_table(root(), "", "orientation");
-    reader_.only_keys(table, "orientation", {"initial", "smoothing", "weights", "tilt_min_deg", "tilt_max_deg", "keys", "iterations_max"});
+    reader_.only_keys(table, "orientation",
+                      {"initial", "smoothing", "weights", "tilt_min_deg", "tilt_max_deg", "keys", "iterations_max"});
     const toml::table& initial = reader_.optional_table(table, "orientation", "initial");
     reader_.only_keys(initial, "orientation.initial", {"tilt_deg", "yaw_deg"});
     planner::OrientationOptions& options = job_.orientation;
     options.tilt = angle(initial, "orientation.initial", "tilt_deg", options.tilt, -89.0, 89.0);
     options.yaw = angle(initial, "orientation.initial", "yaw_deg", options.yaw, -360.0, 360.0);
-    constexpr std::array smoothings{Smoothing::none, Smoothing::velocity, Smoothing::acceleration, Smoothing::field, Smoothing::corridor};
-    options.smoothing = smoothings[reader_.choice(table, "orientation", "smoothing", {"none", "velocity", "acceleration", "field", "corridor"}, 2)];
-    options.weights = reader_.choice(table, "orientation", "weights", {"arc-length", "as-printed"}, 0) == 0 ? planner::Weights::arc_length
-                                                                                                         : planner::Weights::as_printed;
+    constexpr std::array smoothings{Smoothing::none, Smoothing::velocity, Smoothing::acceleration, Smoothing::field,
+                                    Smoothing::corridor};
+    options.smoothing = smoothings[reader_.choice(table, "orientation", "smoothing",
+                                                  {"none", "velocity", "acceleration", "field", "corridor"}, 2)];
+    options.weights = reader_.choice(table, "orientation", "weights", {"arc-length", "as-printed"}, 0) == 0
+                          ? planner::Weights::arc_length
+                          : planner::Weights::as_printed;
     options.tilt_min = angle(table, "orientation", "tilt_min_deg", options.tilt_min, 0.0, 89.0);
     options.tilt_max = angle(table, "orientation", "tilt_max_deg", options.tilt_max, options.tilt_min.degrees(), 89.0);
     options.iterations_max = reader_.integer(table, "orientation", "iterations_max", options.iterations_max, 1, 1000);
     options.clearance_mm = job_.clearance_mm;
-    options.gouge_tolerance_mm = job_.gouge_tolerance_mm = job_.gouge_tolerance_mm > 0.0 ? job_.gouge_tolerance_mm : job_.path.tolerance_mm;
+    options.gouge_tolerance_mm = job_.gouge_tolerance_mm =
+        job_.gouge_tolerance_mm > 0.0 ? job_.gouge_tolerance_mm : job_.path.tolerance_mm;
     if (const toml::node* keys = table.get("keys")) read_keys(*keys);
   }
 
   void read_keys(const toml::node& node) {
     const toml::array* list = node.as_array();
-    if (!list) return reader_.refuse(&node, "orientation.keys", "must be a list of { at = 0.5, axis = [0, 0, 1] } or { point_mm = [x, y, z], axis = [...] }");
+    if (!list)
+      return reader_.refuse(
+          &node, "orientation.keys",
+          "must be a list of { at = 0.5, axis = [0, 0, 1] } or { point_mm = [x, y, z], axis = [...] }");
     for (const toml::node& item : *list) {
       const toml::table* key = item.as_table();
       if (!key) return reader_.refuse(&item, "orientation.keys", "each key is a table { at | point_mm, axis }");
@@ -215,9 +239,11 @@ class JobReader {
   void read_field() {
     using planner::BasisKind, planner::FieldPlacement;
     const toml::table& field = reader_.optional_table(root(), "", "field");
-    reader_.only_keys(field, "field", {"basis", "a", "beta", "order", "placement", "spline", "u_intervals", "v_intervals"});
+    reader_.only_keys(field, "field",
+                      {"basis", "a", "beta", "order", "placement", "spline", "u_intervals", "v_intervals"});
     constexpr std::array kinds{BasisKind::inverse_multiquadric, BasisKind::gaussian, BasisKind::half_open};
-    job_.field.basis.kind = kinds[reader_.choice(field, "field", "basis", {"inverse-multiquadric", "gaussian", "half-open"}, 0)];
+    job_.field.basis.kind =
+        kinds[reader_.choice(field, "field", "basis", {"inverse-multiquadric", "gaussian", "half-open"}, 0)];
     if (field.contains("a")) job_.field.basis.a = reader_.positive(field, "field", "a");
     job_.field.basis.beta = reader_.positive(field, "field", "beta", 1.0);
     job_.field.basis.order = reader_.integer(field, "field", "order", 2, 1, 12);
@@ -231,12 +257,16 @@ class JobReader {
 
   void read_process() {
     const toml::table& process = reader_.table(root(), "", "process");
-    reader_.only_keys(process, "process", {"feed_mm_min", "approach_feed_mm_min", "spindle_rpm", "clearance_height_mm", "lead_radius_mm", "coolant"});
+    reader_.only_keys(
+        process, "process",
+        {"feed_mm_min", "approach_feed_mm_min", "spindle_rpm", "clearance_height_mm", "lead_radius_mm", "coolant"});
     job_.process.feed_mm_s = reader_.positive(process, "process", "feed_mm_min") / seconds_per_minute;
-    job_.process.approach_feed_mm_s = not_negative(process, "process", "approach_feed_mm_min", 0.0) / seconds_per_minute;
+    job_.process.approach_feed_mm_s =
+        not_negative(process, "process", "approach_feed_mm_min", 0.0) / seconds_per_minute;
     job_.spindle_rpm = reader_.positive(process, "process", "spindle_rpm", 5000.0);
     job_.process.spindle_rad_s = job_.spindle_rpm * full_turn_rad / seconds_per_minute;
-    job_.process.clearance_height_mm = reader_.positive(process, "process", "clearance_height_mm", job_.process.clearance_height_mm);
+    job_.process.clearance_height_mm =
+        reader_.positive(process, "process", "clearance_height_mm", job_.process.clearance_height_mm);
     job_.process.lead_radius_mm = not_negative(process, "process", "lead_radius_mm", 0.0);
     job_.coolant = reader_.boolean(process, "process", "coolant", true);
   }
@@ -267,8 +297,11 @@ geometry::Result<kinematics::Setup> parse_setup(const std::string& text) {
   std::size_t start = 0;
   for (int i = 0; i < 3; ++i) {
     const std::size_t end = i < 2 ? text.find(',', start) : text.size();
-    const auto value = end == std::string::npos ? std::nullopt : geometry::parse_number(std::string_view(text).substr(start, end - start));
-    if (!value) return geometry::bad_input("setup-syntax", "--setup " + text + ": must be x,y,z in mm, as in --setup 0,0,120");
+    const auto value = end == std::string::npos
+                           ? std::nullopt
+                           : geometry::parse_number(std::string_view(text).substr(start, end - start));
+    if (!value)
+      return geometry::bad_input("setup-syntax", "--setup " + text + ": must be x,y,z in mm, as in --setup 0,0,120");
     origin_mm[i] = *value;
     start = end + 1;
   }

@@ -14,10 +14,10 @@ namespace volute::app {
 
 struct Job {
   std::filesystem::path file;
-  std::string name;                               ///< the file's name without .toml
+  std::string name;  ///< the file's name without .toml
   std::filesystem::path surface_file;
   double unit_mm = 1.0;
-  int component = -1;                             ///< -1: the part must have one component
+  int component = -1;  ///< -1: the part must have one component
   kinematics::Tool tool;
   std::vector<std::filesystem::path> obstacle_files, fixture_files;
   planner::PathOptions path;
@@ -26,13 +26,13 @@ struct Job {
   planner::FieldOptions field;
   double spindle_rpm = 5000.0;
   bool coolant = true;
-  std::string profile;                            ///< name or path as written
+  std::string profile;  ///< name or path as written
   kinematics::Setup setup;
   double gouge_tolerance_mm = 0.0, clearance_mm = 1.0;
 };
 
-/// Errors (bad_input): job-*: file, line, key, value, rule, remedy. Keys that nobody reads are refused, with the nearest name.
-/// Files that the job names are looked up relative to the job file.
+/// Errors (bad_input): job-*: file, line, key, value, rule, remedy. Keys that nobody reads are refused, with the
+/// nearest name. Files that the job names are looked up relative to the job file.
 geometry::Result<Job> load_job(const std::filesystem::path& file);
 
 /// "x,y,z" in mm as a setup without turning; "" is 0,0,0. Error: setup-syntax.

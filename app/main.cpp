@@ -27,8 +27,9 @@ struct Dispatch {
 };
 
 int carry_out(const CommandLine& line) {
-  const auto threads = line.common.threads > 0 ? static_cast<std::size_t>(line.common.threads)
-                                               : static_cast<std::size_t>(std::max(1U, std::thread::hardware_concurrency()));
+  const auto threads = line.common.threads > 0
+                           ? static_cast<std::size_t>(line.common.threads)
+                           : static_cast<std::size_t>(std::max(1U, std::thread::hardware_concurrency()));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   Context context(line.common);
   return std::visit(Dispatch{context}, line.command);

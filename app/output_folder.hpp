@@ -18,10 +18,11 @@ class OutputFolder {
   [[nodiscard]] std::filesystem::path file(std::string_view name) const { return folder_ / name; }
   geometry::Result<void> write(std::string_view name, std::string_view bytes) const;
 
-  /// The program under its final name when it passed, else as NAME.rejected.EXT. A program that stood under the final name from an
-  /// earlier run is never left there beside a rejected one: it is kept as NAME.old.EXT. Returns the name written.
-  [[nodiscard]] geometry::Result<std::string> write_program(const std::string& stem, const std::string& extension, std::string_view text,
-                                                            bool passed) const;
+  /// The program under its final name when it passed, else as NAME.rejected.EXT. A program that stood under the final
+  /// name from an earlier run is never left there beside a rejected one: it is kept as NAME.old.EXT. Returns the name
+  /// written.
+  [[nodiscard]] geometry::Result<std::string> write_program(const std::string& stem, const std::string& extension,
+                                                            std::string_view text, bool passed) const;
 
  private:
   explicit OutputFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}

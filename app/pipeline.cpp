@@ -7,11 +7,12 @@ namespace volute::app {
 
 namespace {
 
-/// Two roundings of a word meet when a program is read back: half a unit of the last digit of each of three words, and the
-/// linear solve behind them.
+/// Two roundings of a word meet when a program is read back: half a unit of the last digit of each of three words, and
+/// the linear solve behind them.
 constexpr double rounding_slack = 4.0;
 
-/// The planner holds the scallop at 1.05 times the allowed one over 99.99 % of the surface and at this many times everywhere.
+/// The planner holds the scallop at 1.05 times the allowed one over 99.99 % of the surface and at this many times
+/// everywhere.
 constexpr double scallop_bound = 1.1;
 
 double decimal_step(int decimals) {
@@ -102,8 +103,8 @@ geometry::Result<post::PostResult> post_job(const JobInputs& inputs, const plann
   return post::post(request, inputs.profile);
 }
 
-geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const planner::PlanResult&, const post::PostResult& posted,
-                                               Progress& progress) {
+geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const planner::PlanResult&,
+                                               const post::PostResult& posted, Progress& progress) {
   const kinematics::Control& control = inputs.profile.control;
   sim::VerifyRequest request;
   request.text = posted.text;
@@ -114,8 +115,10 @@ geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const pl
   request.surface_P = inputs.surface;
   request.obstacles_P = inputs.obstacles;
   request.obstacle_names = inputs.obstacle_names;
-  // Uncut is more than the planner's own bound on a scallop and the tolerance by which path and mesh may stand off the surface.
-  request.cut.uncut_limit_mm = scallop_bound * inputs.job.path.scallop_mm + inputs.job.path.allowance_mm + inputs.job.path.tolerance_mm;
+  // Uncut is more than the planner's own bound on a scallop and the tolerance by which path and mesh may stand off the
+  // surface.
+  request.cut.uncut_limit_mm =
+      scallop_bound * inputs.job.path.scallop_mm + inputs.job.path.allowance_mm + inputs.job.path.tolerance_mm;
   request.cut.gouge_limit_mm = inputs.job.gouge_tolerance_mm;
   request.expected_poses = cutting_poses(posted.axis_path);
   const double rotary_step_rad = geometry::Angle::degrees(decimal_step(control.rotary_decimals)).radians();

@@ -1,4 +1,5 @@
-// The steps that several commands share: from a job to its inputs, to a plan, to a program, to a verdict. No algorithms.
+// The steps that several commands share: from a job to its inputs, to a plan, to a program, to a verdict. No
+// algorithms.
 #pragma once
 
 #include <functional>
@@ -31,8 +32,8 @@ geometry::Result<JobInputs> load_inputs(const std::filesystem::path& job_file, c
 
 geometry::Result<planner::PlanResult> plan_job(const JobInputs& inputs, Progress& progress);
 geometry::Result<post::PostResult> post_job(const JobInputs& inputs, const planner::PlanResult& plan);
-geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const planner::PlanResult& plan, const post::PostResult& posted,
-                                               Progress& progress);
+geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const planner::PlanResult& plan,
+                                               const post::PostResult& posted, Progress& progress);
 /// Everything that pictures and the page show of a run.
 view::RunView run_view(const JobInputs& inputs, const planner::PlanResult& plan, const post::PostResult& posted,
                        const sim::VerifyResult& verified);

@@ -16,7 +16,10 @@ constexpr int bar_width = 30;
 }  // namespace
 
 Progress::Progress(bool quiet)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), started_(std::chrono::steady_clock::now()), last_drawn_(started_) {}
+    : quiet_(quiet),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      started_(std::chrono::steady_clock::now()),
+      last_drawn_(started_) {}
 
 Progress::~Progress() { clear(); }
 
@@ -37,7 +40,8 @@ void Progress::report(std::string_view stage, double done) {
 
 void Progress::draw_bar(double done) {
   const int filled = static_cast<int>(done * bar_width);
-  const std::string bar = std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(bar_width - filled), '.');
+  const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
+                          std::string(static_cast<std::size_t>(bar_width - filled), '.');
   std::fprintf(stderr, "\r\033[K[%s] %3d %%  %s", bar.c_str(), static_cast<int>(done * 100.0), stage_.c_str());
   std::fflush(stderr);
   drawn_ = true;

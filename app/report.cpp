@@ -34,7 +34,8 @@ double people_unit(const kinematics::Axis& axis) {
 }  // namespace
 
 Json surface_json(const planner::SurfaceReport& surface) {
-  Json json{{"triangles", surface.triangles}, {"boundary_loops", surface.boundary_loops}, {"area_mm2", surface.area_mm2}};
+  Json json{
+      {"triangles", surface.triangles}, {"boundary_loops", surface.boundary_loops}, {"area_mm2", surface.area_mm2}};
   put_if(json, "map_flips", surface.map_flips);
   put_if(json, "map_quasi_conformal_error", surface.map_quasi_conformal_error);
   return json;
@@ -92,13 +93,11 @@ Json run_json(const sim::RunReport& run, const kinematics::Machine& machine) {
     const kinematics::Axis& axis = machine.axes[i];
     const sim::AxisPeaks& peaks = run.axes[i];
     const double unit = people_unit(axis);
-    axes[letter_key(axis.letter)] = {{"velocity_max", peaks.velocity_max * unit},
-                                     {"acceleration_max", peaks.acceleration_max * unit},
-                                     {"jerk_max", peaks.jerk_max * unit},
-                                     {"following_error_max", peaks.following_error_max * unit},
-                                     {"limit_ratio_max", peaks.limit_ratio_max},
-                                     {"position_min", peaks.position_min * unit},
-                                     {"position_max", peaks.position_max * unit}};
+    axes[letter_key(axis.letter)] = {
+        {"velocity_max", peaks.velocity_max * unit}, {"acceleration_max", peaks.acceleration_max * unit},
+        {"jerk_max", peaks.jerk_max * unit},         {"following_error_max", peaks.following_error_max * unit},
+        {"limit_ratio_max", peaks.limit_ratio_max},  {"position_min", peaks.position_min * unit},
+        {"position_max", peaks.position_max * unit}};
     limiting[letter_key(axis.letter)] = run.limited_by_axis_s[i];
   }
   json["axes"] = axes;
@@ -106,7 +105,9 @@ Json run_json(const sim::RunReport& run, const kinematics::Machine& machine) {
   json["time_by_cause"] = timing_json(run.time_by_cause_s);
   Json worst = Json::array();
   for (const sim::SlowBlock& block : run.worst_blocks)
-    worst.push_back({{"block", block.line}, {"time_s", block.time_s}, {"lost_s", block.lost_s},
+    worst.push_back({{"block", block.line},
+                     {"time_s", block.time_s},
+                     {"lost_s", block.lost_s},
                      {"programmed_feed_mm_min", block.programmed_mm_s * per_minute},
                      {"actual_feed_mm_min", block.actual_mm_s * per_minute}});
   json["worst_blocks"] = worst;
@@ -141,8 +142,13 @@ Json loads_json(const sim::LoadsReport& loads, const kinematics::Machine& machin
 Json findings_json(const std::vector<sim::Finding>& findings) {
   Json json = Json::array();
   for (const sim::Finding& finding : findings)
-    json.push_back({{"kind", finding.kind}, {"block", finding.line}, {"time_s", finding.time_s},
-                    {"axis_or_pair", finding.axis_or_pair}, {"value", finding.value}, {"limit", finding.limit}, {"text", finding.text}});
+    json.push_back({{"kind", finding.kind},
+                    {"block", finding.line},
+                    {"time_s", finding.time_s},
+                    {"axis_or_pair", finding.axis_or_pair},
+                    {"value", finding.value},
+                    {"limit", finding.limit},
+                    {"text", finding.text}});
   return json;
 }
 
@@ -158,7 +164,8 @@ Json mesh_json(const geometry::MeshReport& report, const std::string& file) {
     loops.push_back({{"edges", loop.vertices.size()}, {"length_mm", loop.length_mm}, {"component", loop.component}});
   Json components = Json::array();
   for (const geometry::Component& part : report.components)
-    components.push_back({{"triangles", part.triangles}, {"boundary_loops", part.boundary_loops}, {"handles", part.handles}});
+    components.push_back(
+        {{"triangles", part.triangles}, {"boundary_loops", part.boundary_loops}, {"handles", part.handles}});
   const auto corner = [](const geometry::Vec3& p) { return Json{p.x(), p.y(), p.z()}; };
   Json json{{"file", file},
             {"machinable", report.machinable},

@@ -28,30 +28,37 @@ std::string time_text(double seconds) {
 }
 
 std::string path_rows(const Json& path) {
-  std::string text = table_row("path", path["strategy"].get<std::string>() + (path.contains("method") ? ", " + path["method"].get<std::string>() : "") +
+  std::string text = table_row("path", path["strategy"].get<std::string>() +
+                                           (path.contains("method") ? ", " + path["method"].get<std::string>() : "") +
                                            ", " + std::to_string(path["cc_points"].get<int>()) + " CC points, " +
                                            std::to_string(path["pieces"].get<int>()) + " piece(s)");
-  text += table_row("length", number(path, "length_mm", 0) + " mm, " + number(path, "length_ratio", 3) + " times the scallop lower bound");
+  text += table_row("length", number(path, "length_mm", 0) + " mm, " + number(path, "length_ratio", 3) +
+                                  " times the scallop lower bound");
   if (path.contains("scallop_ratio_max"))
-    text += table_row("scallop / allowed", number(path, "scallop_ratio_p9999", 3) + " at 99.99 %, " + number(path, "scallop_ratio_max", 3) + " at most");
-  text += table_row("retracts, links, corners", std::to_string(path["rapid_traversals"].get<int>()) + " rapid traversals, " +
-                                                    std::to_string(path["liftings"].get<int>()) + " liftings, " +
-                                                    std::to_string(path["linkings"].get<int>()) + " linkings, " +
-                                                    std::to_string(path["sharp_corners"].get<int>()) + " sharp corners");
+    text += table_row("scallop / allowed", number(path, "scallop_ratio_p9999", 3) + " at 99.99 %, " +
+                                               number(path, "scallop_ratio_max", 3) + " at most");
+  text += table_row("retracts, links, corners",
+                    std::to_string(path["rapid_traversals"].get<int>()) + " rapid traversals, " +
+                        std::to_string(path["liftings"].get<int>()) + " liftings, " +
+                        std::to_string(path["linkings"].get<int>()) + " linkings, " +
+                        std::to_string(path["sharp_corners"].get<int>()) + " sharp corners");
   return text;
 }
 
 std::string orientation_rows(const Json& orientation) {
-  std::string text = table_row("orientation", orientation["smoothing"].get<std::string>() + ", " + std::to_string(orientation["pins"].get<int>()) +
-                                                  " pins, interferences " + std::to_string(orientation["interferences_before"].get<int>()) + " -> " +
-                                                  std::to_string(orientation["interferences_after"].get<int>()));
+  std::string text =
+      table_row("orientation", orientation["smoothing"].get<std::string>() + ", " +
+                                   std::to_string(orientation["pins"].get<int>()) + " pins, interferences " +
+                                   std::to_string(orientation["interferences_before"].get<int>()) + " -> " +
+                                   std::to_string(orientation["interferences_after"].get<int>()));
   return text;
 }
 
 std::string run_rows(const Json& run) {
   std::string text = table_row("cycle time", time_text(run["cycle_time_s"].get<double>()));
   text += table_row("feed, programmed", number(run, "programmed_feed_mm_min", 1) + " mm/min");
-  text += table_row("feed, actual", number(run, "actual_feed_mm_min", 1) + " mm/min (loss " + number(run, "feed_loss_percent", 2) + " %)");
+  text += table_row("feed, actual", number(run, "actual_feed_mm_min", 1) + " mm/min (loss " +
+                                        number(run, "feed_loss_percent", 2) + " %)");
   text += "\n  axis    velocity   acceleration        jerk   lag max   of limit\n";
   for (const auto& [letter, peaks] : run["axes"].items()) {
     const bool rotary = letter == "A" || letter == "B" || letter == "C";
@@ -69,17 +76,21 @@ std::string machining_rows(const Json& report) {
   std::string text;
   if (report.contains("machining")) {
     const Json& cut = report["machining"];
-    text += table_row("scallop left", number(cut, "scallop_p99_mm", 4) + " mm at 99 %, " + number(cut, "scallop_max_mm", 4) + " mm at most");
+    text += table_row("scallop left", number(cut, "scallop_p99_mm", 4) + " mm at 99 %, " +
+                                          number(cut, "scallop_max_mm", 4) + " mm at most");
     text += table_row("gouge", number(cut, "gouge_max_mm", 4) + " mm");
     text += table_row("uncut", cut["uncut"].get<bool>() ? number(cut, "uncut_area_mm2", 2) + " mm2" : "none");
   }
   if (report.contains("collision")) {
     const Json& collision = report["collision"];
-    const std::string planned =
-        collision.contains("planner_hits") ? ", " + std::to_string(collision["planner_hits"].get<int>()) + " in the planner" : "";
-    text += table_row("collisions", std::to_string(collision["sim_hits"].get<int>()) + " on the virtual machine" + planned);
+    const std::string planned = collision.contains("planner_hits")
+                                    ? ", " + std::to_string(collision["planner_hits"].get<int>()) + " in the planner"
+                                    : "";
+    text +=
+        table_row("collisions", std::to_string(collision["sim_hits"].get<int>()) + " on the virtual machine" + planned);
     if (!collision["closest_pair"].get<std::string>().empty())
-      text += table_row("closest", number(collision, "closest_mm", 3) + " mm, " + collision["closest_pair"].get<std::string>() + ", line " +
+      text += table_row("closest", number(collision, "closest_mm", 3) + " mm, " +
+                                       collision["closest_pair"].get<std::string>() + ", line " +
                                        std::to_string(collision["at_block"].get<long>()));
   }
   return text;
@@ -88,9 +99,10 @@ std::string machining_rows(const Json& report) {
 std::string finding_rows(const Json& findings) {
   std::string text;
   for (std::size_t i = 0; i < std::min(findings.size(), findings_shown); ++i)
-    text += "  line " + std::to_string(findings[i]["block"].get<long>()) + ": " + findings[i]["kind"].get<std::string>() + ": " +
-            findings[i]["text"].get<std::string>() + "\n";
-  if (findings.size() > findings_shown) text += "  ... and " + std::to_string(findings.size() - findings_shown) + " more in report.json\n";
+    text += "  line " + std::to_string(findings[i]["block"].get<long>()) + ": " +
+            findings[i]["kind"].get<std::string>() + ": " + findings[i]["text"].get<std::string>() + "\n";
+  if (findings.size() > findings_shown)
+    text += "  ... and " + std::to_string(findings.size() - findings_shown) + " more in report.json\n";
   return text;
 }
 
@@ -99,7 +111,9 @@ std::string verdict(const Json& report) {
   const Json& findings = report["findings"];
   if (findings.empty()) return "PASSED: the virtual machine found nothing wrong.\n";
   const std::string count = std::to_string(findings.size()) + " finding(s)";
-  return (report.contains("path") ? "REJECTED: " + count + "; the program keeps .rejected in its name.\n" : "FOUND: " + count + ".\n") + finding_rows(findings);
+  return (report.contains("path") ? "REJECTED: " + count + "; the program keeps .rejected in its name.\n"
+                                  : "FOUND: " + count + ".\n") +
+         finding_rows(findings);
 }
 
 }  // namespace
@@ -109,15 +123,18 @@ std::string table_row(const std::string& name, const std::string& value) {
 }
 
 std::string plan_table(const Json& report, const std::filesystem::path& folder) {
-  return path_rows(report["path"]) + orientation_rows(report["orientation"]) + table_row("tool path", (folder / "toolpath.cls").string());
+  return path_rows(report["path"]) + orientation_rows(report["orientation"]) +
+         table_row("tool path", (folder / "toolpath.cls").string());
 }
 
-std::string run_table(const Json& report, const std::filesystem::path& folder, const std::vector<std::string>& pictures) {
+std::string run_table(const Json& report, const std::filesystem::path& folder,
+                      const std::vector<std::string>& pictures) {
   std::string text;
   if (report.contains("program")) {
     const Json& program = report["program"];
-    text += table_row("program", (folder / program["file"].get<std::string>()).string() + ", " + std::to_string(program["blocks"].get<long>()) +
-                                     " blocks, " + program["dialect"].get<std::string>());
+    text += table_row("program", (folder / program["file"].get<std::string>()).string() + ", " +
+                                     std::to_string(program["blocks"].get<long>()) + " blocks, " +
+                                     program["dialect"].get<std::string>());
   }
   if (report.contains("path")) text += path_rows(report["path"]);
   if (report.contains("orientation")) text += orientation_rows(report["orientation"]);

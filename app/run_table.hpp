@@ -9,7 +9,8 @@
 namespace volute::app {
 
 /// Requires: `report` holds the keys of the contract; absent ones leave their rows out.
-std::string run_table(const nlohmann::ordered_json& report, const std::filesystem::path& folder, const std::vector<std::string>& pictures);
+std::string run_table(const nlohmann::ordered_json& report, const std::filesystem::path& folder,
+                      const std::vector<std::string>& pictures);
 
 /// The rows that a plan knows: path and orientation.
 std::string plan_table(const nlohmann::ordered_json& report, const std::filesystem::path& folder);

@@ -1,4 +1,5 @@
-// Reading an STL of 500,000 triangles and joining its vertices, against Assimp doing the same; then neighbourhood and curvature.
+// Reading an STL of 500,000 triangles and joining its vertices, against Assimp doing the same; then neighbourhood and
+// curvature.
 #include <benchmark/benchmark.h>
 
 #include <assimp/postprocess.h>
@@ -17,7 +18,8 @@ TriangleMesh wave() {
   constexpr Index side = 501;
   TriangleMesh mesh;
   for (Index j = 0; j < side; ++j)
-    for (Index i = 0; i < side; ++i) mesh.vertices_mm.emplace_back(0.2 * i, 0.2 * j, 3.0 * std::sin(0.02 * i) * std::cos(0.03 * j));
+    for (Index i = 0; i < side; ++i)
+      mesh.vertices_mm.emplace_back(0.2 * i, 0.2 * j, 3.0 * std::sin(0.02 * i) * std::cos(0.03 * j));
   for (Index j = 0; j + 1 < side; ++j)
     for (Index i = 0; i + 1 < side; ++i) {
       const Index corner = j * side + i;

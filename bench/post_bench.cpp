@@ -77,4 +77,3 @@ BENCHMARK_CAPTURE(solve_path, with_tcp, true);
 BENCHMARK_CAPTURE(solve_path, without_tcp, false);
 
 }  // namespace
-

@@ -1,4 +1,5 @@
-// A picture of 500,000 triangles at 1600 x 1200, beside the limit of 2.5 s that it has; and the data of a page of 200,000 samples.
+// A picture of 500,000 triangles at 1600 x 1200, beside the limit of 2.5 s that it has; and the data of a page of
+// 200,000 samples.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -17,7 +18,8 @@ constexpr int side = 500;  // 2 x 500 x 500 triangles
 volute::geometry::TriangleMesh waves() {
   volute::geometry::TriangleMesh mesh;
   for (int row = 0; row <= side; ++row)
-    for (int column = 0; column <= side; ++column) mesh.vertices_mm.emplace_back(0.4 * column, 0.4 * row, 8.0 * std::sin(column / 40.0) * std::cos(row / 55.0));
+    for (int column = 0; column <= side; ++column)
+      mesh.vertices_mm.emplace_back(0.4 * column, 0.4 * row, 8.0 * std::sin(column / 40.0) * std::cos(row / 55.0));
   for (int row = 0; row < side; ++row)
     for (int column = 0; column < side; ++column) {
       const int a = row * (side + 1) + column, b = a + side + 1;
@@ -43,13 +45,15 @@ void picture(benchmark::State& state) {
     bytes = png_bytes(*image).size();
   }
   state.counters["png_bytes"] = static_cast<double>(bytes);
-  state.counters["share_of_2.5_s"] = benchmark::Counter(static_cast<double>(state.iterations()) * limit_s, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["share_of_2.5_s"] = benchmark::Counter(static_cast<double>(state.iterations()) * limit_s,
+                                                        benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(picture)->Name("picture_of_500000_triangles")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void page_data(benchmark::State& state) {
   std::vector<double> curve(200'000);
-  for (std::size_t i = 0; i < curve.size(); ++i) curve[i] = std::sin(static_cast<double>(i) / 70.0) * (1.0 + static_cast<double>(i % 7) * 0.01);
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    curve[i] = std::sin(static_cast<double>(i) / 70.0) * (1.0 + static_cast<double>(i % 7) * 0.01);
   for (auto _ : state) {
     PackedData data;
     for (int column = 0; column < 35; ++column) data.add_curve("c" + std::to_string(column), curve);

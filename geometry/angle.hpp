@@ -19,8 +19,14 @@ class Angle {
   [[nodiscard]] constexpr double degrees() const { return radians_ * (180.0 / std::numbers::pi); }
 
   constexpr Angle operator-() const { return Angle(-radians_); }
-  constexpr Angle& operator+=(Angle other) { radians_ += other.radians_; return *this; }
-  constexpr Angle& operator-=(Angle other) { radians_ -= other.radians_; return *this; }
+  constexpr Angle& operator+=(Angle other) {
+    radians_ += other.radians_;
+    return *this;
+  }
+  constexpr Angle& operator-=(Angle other) {
+    radians_ -= other.radians_;
+    return *this;
+  }
   friend constexpr Angle operator+(Angle a, Angle b) { return Angle(a.radians_ + b.radians_); }
   friend constexpr Angle operator-(Angle a, Angle b) { return Angle(a.radians_ - b.radians_); }
   friend constexpr Angle operator*(double s, Angle a) { return Angle(s * a.radians_); }

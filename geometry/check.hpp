@@ -1,4 +1,5 @@
-// VOLUTE_CHECK(condition, value, ...): a programmer's mistake. Stays on in every build, prints the values, ends the program.
+// VOLUTE_CHECK(condition, value, ...): a programmer's mistake. Stays on in every build, prints the values, ends the
+// program.
 #pragma once
 
 #include <sstream>
@@ -19,8 +20,7 @@ std::string values_text(const Values&... values) {
 
 }  // namespace volute::geometry
 
-#define VOLUTE_CHECK(condition, ...)                                                        \
-  (static_cast<bool>(condition)                                                             \
-       ? static_cast<void>(0)                                                               \
-       : ::volute::geometry::check_failed(__FILE__, __LINE__, #condition,                   \
-                                          ::volute::geometry::values_text(__VA_ARGS__)))
+#define VOLUTE_CHECK(condition, ...)                                                               \
+  (static_cast<bool>(condition) ? static_cast<void>(0)                                             \
+                                : ::volute::geometry::check_failed(__FILE__, __LINE__, #condition, \
+                                                                   ::volute::geometry::values_text(__VA_ARGS__)))

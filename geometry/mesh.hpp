@@ -49,7 +49,8 @@ struct Component {
 class MeshTopology {
  public:
   /// Errors (bad_input): mesh-empty, mesh-index-out-of-range, mesh-degenerate-triangle, mesh-not-manifold (edge with
-  /// more than two triangles, or vertex whose triangles do not form one fan), mesh-inconsistent-orientation. Each names a triangle.
+  /// more than two triangles, or vertex whose triangles do not form one fan), mesh-inconsistent-orientation. Each names
+  /// a triangle.
   static Result<MeshTopology> build(const TriangleMesh& mesh);
 
   [[nodiscard]] Index vertex_count() const { return vertex_count_; }
@@ -62,14 +63,19 @@ class MeshTopology {
   [[nodiscard]] Index edge(Index halfedge) const { return edge_[static_cast<std::size_t>(halfedge)]; }
   /// One halfedge of the edge (the only one when the edge is on the boundary).
   [[nodiscard]] Index edge_halfedge(Index edge) const { return edge_halfedge_[static_cast<std::size_t>(edge)]; }
-  /// Halfedges that leave the vertex, in counter-clockwise order; at a boundary vertex the first one lies on the boundary.
+  /// Halfedges that leave the vertex, in counter-clockwise order; at a boundary vertex the first one lies on the
+  /// boundary.
   [[nodiscard]] std::span<const Index> outgoing(Index vertex) const;
-  [[nodiscard]] bool is_boundary_vertex(Index vertex) const { return boundary_vertex_[static_cast<std::size_t>(vertex)] != 0; }
+  [[nodiscard]] bool is_boundary_vertex(Index vertex) const {
+    return boundary_vertex_[static_cast<std::size_t>(vertex)] != 0;
+  }
 
   /// Loops by falling length: [0] is the longest of the mesh.
   [[nodiscard]] const std::vector<BoundaryLoop>& boundary_loops() const { return loops_; }
   [[nodiscard]] const std::vector<Component>& components() const { return components_; }
-  [[nodiscard]] Index component_of_triangle(Index triangle) const { return component_[static_cast<std::size_t>(triangle)]; }
+  [[nodiscard]] Index component_of_triangle(Index triangle) const {
+    return component_[static_cast<std::size_t>(triangle)];
+  }
 
  private:
   Result<void> order_fans(const TriangleMesh& mesh);

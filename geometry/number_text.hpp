@@ -13,8 +13,8 @@ namespace volute::geometry {
 std::optional<double> parse_number(std::string_view text);
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
-/// `value` with exactly `decimals` digits behind the point, correctly rounded from the exact value of the double (std::to_chars),
-/// never "-0" and never an exponent. Requires: value finite, 0 <= decimals <= 12.
+/// `value` with exactly `decimals` digits behind the point, correctly rounded from the exact value of the double
+/// (std::to_chars), never "-0" and never an exponent. Requires: value finite, 0 <= decimals <= 12.
 std::string fixed_text(double value, int decimals);
 /// Appends the same to `out` without allocating anything else.
 void append_fixed(std::string& out, double value, int decimals);

@@ -17,7 +17,7 @@ bool says_not_finite(std::string_view word) {
 }
 
 /// A word fit for a message: short, and no control characters.
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   std::string text = "\"";
   for (const char c : word.substr(0, 24)) text += c >= ' ' && c <= '~' ? c : '?';
   return text + (word.size() > 24 ? "...\"" : "\"");
@@ -56,8 +56,8 @@ tl::unexpected<Error> TextCursor::misfit(std::string_view word, const std::strin
                      place(name, *this) + "the file ends where " + what + " should stand; copy or export it again");
   if (says_not_finite(word))
     return bad_input("mesh-not-finite",
-                     place(name, *this) + what + " is " + quoted(word) + "; every coordinate must be a finite number");
-  return bad_input("mesh-syntax", place(name, *this) + (word.empty() ? std::string("nothing") : quoted(word)) +
+                     place(name, *this) + what + " is " + in_quotes(word) + "; every coordinate must be a finite number");
+  return bad_input("mesh-syntax", place(name, *this) + (word.empty() ? std::string("nothing") : in_quotes(word)) +
                                       " stands where " + what + " (" + kind + ") should; export the file again");
 }
 

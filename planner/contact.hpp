@@ -9,20 +9,25 @@ namespace volute::planner {
 
 using geometry::Vec3;
 
-/// Frame of [Sun2016] eq. 23 at a CC point: T feed direction, N outward normal, B = N x T (right-handed; departs from the source,
-/// whose T x N is left-handed).
-struct FeedFrame { Vec3 feed_P, across_P, normal_P; };
+/// Frame of [Sun2016] eq. 23 at a CC point: T feed direction, N outward normal, B = N x T (right-handed; departs from
+/// the source, whose T x N is left-handed).
+struct FeedFrame {
+  Vec3 feed_P, across_P, normal_P;
+};
 /// Requires: feed not parallel to normal.
 FeedFrame feed_frame(const Vec3& feed_P, const Vec3& normal_P);
 /// Tool axis for tilt alpha (from N) and yaw beta (about N, from T towards B): eq. 23.
 Vec3 tool_axis(const FeedFrame& frame, geometry::Angle tilt, geometry::Angle yaw);
 
 /// Tool pose whose cutter touches the surface at `contact_P_mm` with outward normal `normal_P`.
-/// Ball: CL = CC + r N - r axis ([Huang2016] eq. 13). Flat, bull: the torus's circle nearest the contact; where the axis is the
-/// normal the contact is the centre of the flat bottom. Requires axis . normal > 0 (equal 0 for taper-ball flank).
-kinematics::ToolPose contact_pose(const kinematics::Cutter& cutter, const Vec3& contact_P_mm, const Vec3& normal_P, const Vec3& axis_P);
+/// Ball: CL = CC + r N - r axis ([Huang2016] eq. 13). Flat, bull: the torus's circle nearest the contact; where the
+/// axis is the normal the contact is the centre of the flat bottom. Requires axis . normal > 0 (equal 0 for taper-ball
+/// flank).
+kinematics::ToolPose contact_pose(const kinematics::Cutter& cutter, const Vec3& contact_P_mm, const Vec3& normal_P,
+                                  const Vec3& axis_P);
 
-/// Radius of the circle that the cutter's envelope shows across the feed at the contact: ball r; flat and bull by tilt and yaw. mm.
+/// Radius of the circle that the cutter's envelope shows across the feed at the contact: ball r; flat and bull by tilt
+/// and yaw. mm.
 double effective_radius_mm(const kinematics::Cutter& cutter, geometry::Angle tilt, geometry::Angle yaw);
 
 }  // namespace volute::planner

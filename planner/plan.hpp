@@ -16,7 +16,7 @@ namespace volute::planner {
 struct PlanRequest {
   geometry::TriangleMesh surface;  ///< from geometry::machinable_surface
   kinematics::Tool tool;
-  Scene scene;                     ///< scene.part is normally the surface
+  Scene scene;  ///< scene.part is normally the surface
   PathOptions path;
   OrientationOptions orientation;
   ProcessOptions process;
@@ -27,7 +27,7 @@ struct PlanRequest {
 };
 
 struct PlanResult {
-  kinematics::ToolPath tool_path;     ///< complete: approach, cut, links, retract
+  kinematics::ToolPath tool_path;  ///< complete: approach, cut, links, retract
   CcPathResult cc;
   OrientationReport orientation;
   std::vector<std::array<double, 2>> rotaries_rad;  ///< for cut points in order

@@ -51,7 +51,7 @@ struct MachineState {
 /// out: what stands still to each other, and links that are neighbours in the chain. The cutter may touch the part down
 /// to the gouge tolerance, on rapids too (they begin and end at the surface): deeper is a finding; how deep the cut
 /// surface tells. A mesh is a shell: a body wholly inside a solid without touching its skin is not seen, which needs a
-/// jump past the skin of more than the body's size in one step. 
+/// jump past the skin of more than the body's size in one step.
 ///
 /// closest_mm is exact at the places looked at up to 1 mm or twice the clearance, above that it may be told 5 % too
 /// great; between those places it can be less by step_mm or a quarter of itself, whichever is more.

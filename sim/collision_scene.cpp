@@ -59,8 +59,8 @@ class SceneBuilder {
     };
     constexpr int place = kinematics::axis_count;
     add(Role::cutter, place, single("cutter", cutter_piece(tool.cutter, 0.0)), X_M);
-    const double inset =
-        std::min({scene_.gouge_tolerance_mm + scene_.state_error_mm, 0.5 * tool.cutter.radius_mm, 0.25 * tool.cutter.length_mm});
+    const double inset = std::min(
+        {scene_.gouge_tolerance_mm + scene_.state_error_mm, 0.5 * tool.cutter.radius_mm, 0.25 * tool.cutter.length_mm});
     add(Role::cutter_core, place, single("cutter", cutter_piece(tool.cutter, inset)), X_M);
     if (tool.stick_out_mm > tool.cutter.length_mm) {
       const ConeSegment shank{tool.shank_radius_mm, tool.shank_radius_mm, tool.cutter.length_mm,

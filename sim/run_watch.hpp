@@ -31,7 +31,7 @@ class RunWatch {
  public:
   struct Bounds {
     double move_chord_mm = 0.0005;  ///< of the swept cutter between kept poses
-    double state_chord_mm = 0.005;   ///< of machine states between kept ones
+    double state_chord_mm = 0.005;  ///< of machine states between kept ones
     std::size_t trace_samples_max = 200'000;
   };
   /// Machine, setup and tool must outlive the watch.

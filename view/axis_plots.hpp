@@ -6,13 +6,15 @@
 
 namespace volute::view {
 
-/// Position, velocity, acceleration and jerk of both rotary axes over time, with their limits. Requires: view.profile and a trace.
+/// Position, velocity, acceleration and jerk of both rotary axes over time, with their limits. Requires: view.profile
+/// and a trace.
 Plot rotary_plot(const RunView& view);
 /// The same of X, Y and Z.
 Plot linear_plot(const RunView& view);
 /// Speed of the tip over time.
 Plot feed_plot(const RunView& view);
-/// Speed of the tip, and velocity and acceleration of both rotary axes, over the length of the cutting path ([Sun2016] Fig. 20).
+/// Speed of the tip, and velocity and acceleration of both rotary axes, over the length of the cutting path ([Sun2016]
+/// Fig. 20).
 Plot path_plot(const RunView& view);
 /// Force of every linear drive and torque of every rotary one over time. Requires: a machine with masses.
 Plot loads_plot(const RunView& view);

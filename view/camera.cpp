@@ -20,7 +20,8 @@ Camera fit_camera(const Box& box, const Vec3& towards_viewer, double aspect, dou
   camera.up = camera.towards_viewer.cross(camera.right);
   double half_width = 0.0, half_height = 0.0, half_depth = 0.0;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 point((corner & 1) != 0 ? box.greatest.x() : box.least.x(), (corner & 2) != 0 ? box.greatest.y() : box.least.y(),
+    const Vec3 point((corner & 1) != 0 ? box.greatest.x() : box.least.x(),
+                     (corner & 2) != 0 ? box.greatest.y() : box.least.y(),
                      (corner & 4) != 0 ? box.greatest.z() : box.least.z());
     const Vec3 offset = point - camera.target;
     half_width = std::max(half_width, std::abs(offset.dot(camera.right)));

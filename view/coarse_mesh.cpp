@@ -20,7 +20,8 @@ constexpr double cell_growth = 1.25;
 /// Cells along one axis never reach 2^20: the key of a cell has 20 bits an axis.
 std::int64_t cell_key(const Vec3& point, const Vec3& least, double cell_mm) {
   std::int64_t key = 0;
-  for (int axis = 0; axis < 3; ++axis) key = key * (1 << 20) + static_cast<std::int64_t>((point[axis] - least[axis]) / cell_mm);
+  for (int axis = 0; axis < 3; ++axis)
+    key = key * (1 << 20) + static_cast<std::int64_t>((point[axis] - least[axis]) / cell_mm);
   return key;
 }
 
@@ -44,7 +45,8 @@ CoarseMesh clustered(const geometry::TriangleMesh& mesh, const Vec3& least, doub
     first = last;
   }
   for (const geometry::Triangle& t : mesh.triangles) {
-    const geometry::Triangle c{coarse.cluster_of_vertex[t[0]], coarse.cluster_of_vertex[t[1]], coarse.cluster_of_vertex[t[2]]};
+    const geometry::Triangle c{coarse.cluster_of_vertex[t[0]], coarse.cluster_of_vertex[t[1]],
+                               coarse.cluster_of_vertex[t[2]]};
     if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) coarse.mesh.triangles.push_back(c);
   }
   return coarse;

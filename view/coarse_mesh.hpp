@@ -13,9 +13,9 @@ struct CoarseMesh {
   std::vector<geometry::Index> cluster_of_vertex;  ///< vertex of the finer mesh -> vertex of `mesh`
 };
 
-/// Vertices in one cell of a cubic grid become their mean; triangles that collapse are left out. The cell grows until at most
-/// `triangles_max` triangles stand. A mesh that is small enough comes back as it is. For looking at only: two walls closer together
-/// than a cell may grow together. Requires: triangles_max >= 1. Deterministic.
+/// Vertices in one cell of a cubic grid become their mean; triangles that collapse are left out. The cell grows until
+/// at most `triangles_max` triangles stand. A mesh that is small enough comes back as it is. For looking at only: two
+/// walls closer together than a cell may grow together. Requires: triangles_max >= 1. Deterministic.
 CoarseMesh coarse_mesh(const geometry::TriangleMesh& mesh, std::size_t triangles_max);
 
 /// One value a vertex of the coarse mesh: that of largest magnitude among the finer mesh's; NaN only where all are NaN.

@@ -7,7 +7,8 @@
 namespace volute::view {
 
 Image reduced(const Image& large, int factor) {
-  VOLUTE_CHECK(factor > 0 && large.width % factor == 0 && large.height % factor == 0, large.width, large.height, factor);
+  VOLUTE_CHECK(factor > 0 && large.width % factor == 0 && large.height % factor == 0, large.width, large.height,
+               factor);
   Image small{large.width / factor, large.height / factor, {}};
   small.bgra.resize(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height) * 4);
   const auto stride = static_cast<std::size_t>(large.width) * 4;
@@ -17,7 +18,8 @@ Image reduced(const Image& large, int factor) {
     for (int x = 0; x < small.width; ++x) {
       std::array<unsigned, 4> sum{};
       for (int dy = 0; dy < factor; ++dy) {
-        const std::uint8_t* pixel = &large.bgra[static_cast<std::size_t>(y * factor + dy) * stride + static_cast<std::size_t>(x * factor) * 4];
+        const std::uint8_t* pixel =
+            &large.bgra[static_cast<std::size_t>(y * factor + dy) * stride + static_cast<std::size_t>(x * factor) * 4];
         for (int dx = 0; dx < factor * 4; ++dx) sum[static_cast<std::size_t>(dx % 4)] += pixel[dx];
       }
       for (const unsigned channel : sum) small.bgra[out++] = static_cast<std::uint8_t>((channel + count / 2) / count);
@@ -29,7 +31,8 @@ std::string png_bytes(const Image& image) {
   std::vector<std::uint8_t> pixels = image.bgra;
   const int stride = cairo_format_stride_for_width(CAIRO_FORMAT_RGB24, image.width);
   VOLUTE_CHECK(stride == image.width * 4, stride, image.width);
-  cairo_surface_t* surface = cairo_image_surface_create_for_data(pixels.data(), CAIRO_FORMAT_RGB24, image.width, image.height, stride);
+  cairo_surface_t* surface =
+      cairo_image_surface_create_for_data(pixels.data(), CAIRO_FORMAT_RGB24, image.width, image.height, stride);
   std::string bytes;
   const auto append = [](void* out, const unsigned char* data, unsigned length) {
     static_cast<std::string*>(out)->append(reinterpret_cast<const char*>(data), length);

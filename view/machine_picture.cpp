@@ -16,15 +16,16 @@ using geometry::TriangleMesh;
 
 constexpr int sectors = 48;
 constexpr double profile_tolerance_mm = 0.02, near_reach = 1.6;
-constexpr Colour link_colour{0.72F, 0.77F, 0.83F}, cutter_colour{0.88F, 0.65F, 0.15F}, shank_colour{0.73F, 0.75F, 0.78F},
-    holder_colour{0.35F, 0.38F, 0.42F}, way_colour{0.10F, 0.35F, 0.75F};
+constexpr Colour link_colour{0.72F, 0.77F, 0.83F}, cutter_colour{0.88F, 0.65F, 0.15F},
+    shank_colour{0.73F, 0.75F, 0.78F}, holder_colour{0.35F, 0.38F, 0.42F}, way_colour{0.10F, 0.35F, 0.75F};
 
 /// A band of a body of revolution between two points of its profile, in T.
 void add_band(TriangleMesh& mesh, const kinematics::ProfilePoint& low, const kinematics::ProfilePoint& high) {
   const auto first = static_cast<geometry::Index>(mesh.vertices_mm.size());
   for (int k = 0; k < sectors; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / sectors;
-    for (const auto& point : {low, high}) mesh.vertices_mm.emplace_back(point.radius_mm * std::cos(angle), point.radius_mm * std::sin(angle), point.z_mm);
+    for (const auto& point : {low, high})
+      mesh.vertices_mm.emplace_back(point.radius_mm * std::cos(angle), point.radius_mm * std::sin(angle), point.z_mm);
   }
   for (int k = 0; k < sectors; ++k) {
     const geometry::Index a = first + 2 * k, b = first + 2 * ((k + 1) % sectors);
@@ -58,7 +59,8 @@ TriangleMesh faceted(const TriangleMesh& mesh) {
   TriangleMesh out;
   for (const geometry::Triangle& triangle : mesh.triangles) {
     const auto first = static_cast<geometry::Index>(out.vertices_mm.size());
-    for (const geometry::Index corner : triangle) out.vertices_mm.push_back(mesh.vertices_mm[static_cast<std::size_t>(corner)]);
+    for (const geometry::Index corner : triangle)
+      out.vertices_mm.push_back(mesh.vertices_mm[static_cast<std::size_t>(corner)]);
     out.triangles.push_back({first, first + 1, first + 2});
   }
   return out;
@@ -70,13 +72,15 @@ std::vector<TriangleMesh> placed_links(const RunView& view, const kinematics::Ax
   const Transform X_PM = view.setup.part_in_machine.inverse();
   std::vector<TriangleMesh> links;
   for (const kinematics::LinkShape& shape : machine.shapes)
-    if (!close || shape.link != -1) links.push_back(moved(faceted(shape.mesh_M), X_PM * kinematics::link_motion(machine, shape.link, q)));
+    if (!close || shape.link != -1)
+      links.push_back(moved(faceted(shape.mesh_M), X_PM * kinematics::link_motion(machine, shape.link, q)));
   return links;
 }
 
 std::size_t sample_at(const RunView& view, double time_s) {
   const auto& samples = view.trace.samples;
-  const auto after = std::upper_bound(samples.begin(), samples.end(), time_s, [](double time, const sim::AxisSample& sample) { return time < sample.time_s; });
+  const auto after = std::upper_bound(samples.begin(), samples.end(), time_s,
+                                      [](double time, const sim::AxisSample& sample) { return time < sample.time_s; });
   return after == samples.begin() ? 0 : static_cast<std::size_t>(after - samples.begin()) - 1;
 }
 
@@ -125,7 +129,8 @@ Result<Image> machine_picture(const RunView& view, double time_s, bool close) {
   const Box box = close ? near_box(view, view.trace.poses_P[at]) : grown_box(links, part_box(view));
   Camera camera = standard_camera(box);
   if (close) camera.half_depth = standard_camera(grown_box(links, box)).half_depth * 2.0;
-  const std::string when = "at " + geometry::fixed_text(view.trace.samples[at].time_s, 2) + " s, line " + std::to_string(view.trace.samples[at].line);
+  const std::string when = "at " + geometry::fixed_text(view.trace.samples[at].time_s, 2) + " s, line " +
+                           std::to_string(view.trace.samples[at].line);
   return finished_picture(scene, camera, {view.title, {"machine, tool with holder and part " + when}});
 }
 

@@ -25,7 +25,8 @@ using SurfacePtr = std::unique_ptr<cairo_surface_t, CairoCloser>;
 double size_unit(const Image& image) { return image.height / 1200.0; }
 
 void write(cairo_t* cairo, double x, double y, const std::string& text, double size, bool bold = false) {
-  cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                         bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(cairo, size);
   cairo_move_to(cairo, x, y);
   cairo_show_text(cairo, text.c_str());
@@ -70,13 +71,16 @@ void draw_bar(cairo_t* cairo, const Image& image, const ColourBar& bar, double u
       cairo_move_to(cairo, x + width, y);
       cairo_line_to(cairo, x + width + 8 * unit, y);
       cairo_stroke(cairo);
-      write(cairo, x + width + 14 * unit, y + 8 * unit, short_text(std::abs(tick) < 1e-12 * span ? 0.0 : tick, 4), 23 * unit);
+      write(cairo, x + width + 14 * unit, y + 8 * unit, short_text(std::abs(tick) < 1e-12 * span ? 0.0 : tick, 4),
+            23 * unit);
     }
   }
-  write(cairo, std::min(x, image.width - 24 * unit - text_width(cairo, bar.label, 24 * unit)), top - 22 * unit, bar.label, 24 * unit);
+  write(cairo, std::min(x, image.width - 24 * unit - text_width(cairo, bar.label, 24 * unit)), top - 22 * unit,
+        bar.label, 24 * unit);
 }
 
-void draw_arrow(cairo_t* cairo, double x, double y, double dx, double dy, const char* name, const Colour& colour, double unit) {
+void draw_arrow(cairo_t* cairo, double x, double y, double dx, double dy, const char* name, const Colour& colour,
+                double unit) {
   cairo_set_source_rgb(cairo, colour[0], colour[1], colour[2]);
   cairo_set_line_width(cairo, 4 * unit);
   cairo_move_to(cairo, x, y);
@@ -92,7 +96,9 @@ void draw_triad(cairo_t* cairo, const Image& image, const Camera& camera, double
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3 direction = Vec3::Unit(axis);
     const double dx = direction.dot(camera.right) * length, dy = -direction.dot(camera.up) * length;
-    if (std::hypot(dx, dy) > 0.1 * length) draw_arrow(cairo, x, y, dx, dy, names[static_cast<std::size_t>(axis)], colours[static_cast<std::size_t>(axis)], unit);
+    if (std::hypot(dx, dy) > 0.1 * length)
+      draw_arrow(cairo, x, y, dx, dy, names[static_cast<std::size_t>(axis)], colours[static_cast<std::size_t>(axis)],
+                 unit);
   }
 }
 
@@ -134,7 +140,8 @@ double round_step(double span, int wanted) {
 }
 
 void draw_overlay(Image& image, const Camera& camera, const Overlay& overlay) {
-  const SurfacePtr surface(cairo_image_surface_create_for_data(image.bgra.data(), CAIRO_FORMAT_RGB24, image.width, image.height, image.width * 4));
+  const SurfacePtr surface(cairo_image_surface_create_for_data(image.bgra.data(), CAIRO_FORMAT_RGB24, image.width,
+                                                               image.height, image.width * 4));
   const CairoPtr cairo(cairo_create(surface.get()));
   const double unit = size_unit(image);
   draw_title(cairo.get(), overlay, unit);

@@ -50,8 +50,9 @@ void append_u32(std::string& out, std::uint32_t value) {
 std::string zlib_bytes(std::string_view bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::string out(size, '\0');
-  const int status = compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                               static_cast<uLong>(bytes.size()), zlib_level);
+  const int status =
+      compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                static_cast<uLong>(bytes.size()), zlib_level);
   VOLUTE_CHECK(status == Z_OK, status);
   out.resize(size);
   return out;
@@ -61,8 +62,8 @@ std::string inflated_bytes(std::string_view bytes) {
   std::string out(std::max<std::size_t>(64, bytes.size()), '\0');
   for (;; out.resize(out.size() * 4)) {
     uLongf size = out.size();
-    const int status = uncompress(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                                  static_cast<uLong>(bytes.size()));
+    const int status = uncompress(reinterpret_cast<Bytef*>(out.data()), &size,
+                                  reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()));
     if (status == Z_BUF_ERROR && out.size() < bytes.size() * 2048) continue;
     out.resize(status == Z_OK ? size : 0);
     return out;
@@ -76,7 +77,8 @@ std::string base64_text(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t group = 0;
     const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    for (std::size_t k = 0; k < 3; ++k) group = (group << 8U) | (k < count ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 3; ++k)
+      group = (group << 8U) | (k < count ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
     for (std::size_t k = 0; k < 4; ++k) out += k <= count ? letters[(group >> (18U - 6U * k)) & 63U] : '=';
   }
   return out;

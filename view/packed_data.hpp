@@ -1,4 +1,5 @@
-// Tables of numbers as text in a page: quantised, differenced, byte planes, zlib, base64. The page's data.js reads them.
+// Tables of numbers as text in a page: quantised, differenced, byte planes, zlib, base64. The page's data.js reads
+// them.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +17,10 @@ std::string inflated_bytes(std::string_view bytes);
 std::string base64_text(std::string_view bytes);
 
 /// Columns of numbers under names, written as one stream.
-/// Layout: u32 length of a JSON header, the header padded to 4 bytes, then per column four planes of bytes (lowest first) of
-/// zigzag-coded differences modulo 2^32. Header: {"name": {"count", "step", "order"}} in the order of the columns.
-/// A reader sums `order` times and multiplies by `step`.
-/// Properties: 1. A value comes back within half a step. 2. The same columns give the same bytes.
+/// Layout: u32 length of a JSON header, the header padded to 4 bytes, then per column four planes of bytes (lowest
+/// first) of zigzag-coded differences modulo 2^32. Header: {"name": {"count", "step", "order"}} in the order of the
+/// columns. A reader sums `order` times and multiplies by `step`. Properties: 1. A value comes back within half a
+/// step. 2. The same columns give the same bytes.
 class PackedData {
  public:
   /// Requires: step > 0, name of letters, digits and dots, every value finite and below 2^31 steps.

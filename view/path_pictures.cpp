@@ -18,12 +18,20 @@ using kinematics::ToolPathPoint;
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 constexpr double strokes_wanted = 1400.0, stroke_share = 0.07;
-constexpr std::array<const char*, 10> limit_names{"programmed feed", "axis velocity", "axis acceleration", "axis jerk", "corner",
-                                                  "block time",      "look-ahead",    "rapid",             "dwell",     "stop"};
+constexpr std::array<const char*, 10> limit_names{"programmed feed", "axis velocity", "axis acceleration", "axis jerk",
+                                                  "corner",          "block time",    "look-ahead",        "rapid",
+                                                  "dwell",           "stop"};
 /// Okabe and Ito's palette and greys: the page's colours of the same limits.
-constexpr std::array<Colour, 10> limit_colours{{{0.00F, 0.62F, 0.45F}, {0.00F, 0.45F, 0.70F}, {0.84F, 0.37F, 0.00F}, {0.80F, 0.47F, 0.65F},
-                                                {0.90F, 0.62F, 0.00F}, {0.34F, 0.71F, 0.91F}, {0.54F, 0.43F, 0.23F}, {0.60F, 0.60F, 0.60F},
-                                                {0.33F, 0.33F, 0.33F}, {0.00F, 0.00F, 0.00F}}};
+constexpr std::array<Colour, 10> limit_colours{{{0.00F, 0.62F, 0.45F},
+                                                {0.00F, 0.45F, 0.70F},
+                                                {0.84F, 0.37F, 0.00F},
+                                                {0.80F, 0.47F, 0.65F},
+                                                {0.90F, 0.62F, 0.00F},
+                                                {0.34F, 0.71F, 0.91F},
+                                                {0.54F, 0.43F, 0.23F},
+                                                {0.60F, 0.60F, 0.60F},
+                                                {0.33F, 0.33F, 0.33F},
+                                                {0.00F, 0.00F, 0.00F}}};
 
 double tilt_deg(const ToolPathPoint& point) {
   return std::acos(std::clamp(point.pose.axis_P.dot(point.normal_P), -1.0, 1.0)) * degrees_per_radian;
@@ -38,7 +46,9 @@ struct Scale {
     least = std::min(least, value);
     greatest = std::max(greatest, value);
   }
-  [[nodiscard]] Colour colour(double value) const { return sequential_colour(greatest > least ? (value - least) / (greatest - least) : 0.5); }
+  [[nodiscard]] Colour colour(double value) const {
+    return sequential_colour(greatest > least ? (value - least) / (greatest - least) : 0.5);
+  }
   [[nodiscard]] ColourBar bar(const std::string& label) const { return {label, least, greatest, sequential_colour}; }
 };
 
@@ -78,7 +88,9 @@ std::vector<ColouredLine> run_lines(const RunView& view, const ColourOf& colour)
 }
 
 Result<Image> planned_picture(const RunView& view, PathColour colour) {
-  const auto value = [colour](const ToolPathPoint& point) { return colour == PathColour::turn ? point.turn : tilt_deg(point); };
+  const auto value = [colour](const ToolPathPoint& point) {
+    return colour == PathColour::turn ? point.turn : tilt_deg(point);
+  };
   const Scale scale = scale_of(view, value);
   Scene3d scene;
   add_solids(scene, view);
@@ -96,9 +108,12 @@ Result<Image> feed_picture(const RunView& view) {
     if (sample.cutting) scale.take(sample.tip_speed_mm_s * 60.0);
   Scene3d scene;
   add_solids(scene, view);
-  scene.lines = run_lines(view, [&](const sim::AxisSample& sample) { return scale.colour(sample.tip_speed_mm_s * 60.0); });
+  scene.lines =
+      run_lines(view, [&](const sim::AxisSample& sample) { return scale.colour(sample.tip_speed_mm_s * 60.0); });
   const ColourBar bar = scale.bar("feed, mm/min");
-  return finished_picture(scene, standard_camera(part_box(view)), {view.title, {"tool tip while cutting, coloured by the feed that the machine reached"}, &bar});
+  return finished_picture(
+      scene, standard_camera(part_box(view)),
+      {view.title, {"tool tip while cutting, coloured by the feed that the machine reached"}, &bar});
 }
 
 Result<Image> limit_picture(const RunView& view) {
@@ -145,7 +160,8 @@ Result<Image> orientation_picture(const RunView& view) {
   std::vector<const ToolPathPoint*> cuts;
   for (const ToolPathPoint& point : view.tool_path.points)
     if (on_surface(point)) cuts.push_back(&point);
-  const auto stride = std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(cuts.size()) / strokes_wanted));
+  const auto stride =
+      std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(cuts.size()) / strokes_wanted));
   Box shown = box;
   for (std::size_t i = 0; i < cuts.size(); i += stride) {
     const ToolPathPoint& point = *cuts[i];
@@ -154,7 +170,11 @@ Result<Image> orientation_picture(const RunView& view) {
     scene.lines.push_back({{point.contact_P_mm, end}, {}, scale.colour(tilt_deg(point)), 1.5, 0.3});
   }
   const ColourBar bar = scale.bar("tilt, deg");
-  return finished_picture(scene, standard_camera(shown), {view.title, {"tool axes from the CC points towards the holder, coloured by tilt from the surface normal"}, &bar});
+  return finished_picture(
+      scene, standard_camera(shown),
+      {view.title,
+       {"tool axes from the CC points towards the holder, coloured by tilt from the surface normal"},
+       &bar});
 }
 
 Result<Image> map_picture(const RunView& view) {
@@ -164,14 +184,18 @@ Result<Image> map_picture(const RunView& view) {
   for (const Vec2& vertex : view.map_vertices) grow(box, lifted(vertex));
   const double height = std::max(box.greatest.z() - box.least.z(), 1e-3 * (box.greatest - box.least).norm());
   for (std::size_t i = 0; i < view.map_guide_lines.size(); ++i) {
-    const double share = view.map_guide_lines.size() > 1 ? static_cast<double>(i) / static_cast<double>(view.map_guide_lines.size() - 1) : 0.5;
+    const double share = view.map_guide_lines.size() > 1
+                             ? static_cast<double>(i) / static_cast<double>(view.map_guide_lines.size() - 1)
+                             : 0.5;
     ColouredLine line{{}, {}, sequential_colour(share), 2.4, 0.5 * height};
     for (const Vec2& point : view.map_guide_lines[i]) line.points.push_back(lifted(point));
     scene.lines.push_back(std::move(line));
   }
   const Camera camera = fit_camera(box, Vec3::UnitZ(), static_cast<double>(picture_width) / picture_height, 0.22);
-  Overlay overlay{view.title, {view.map_guide_lines.empty() ? "the surface's triangles, mapped to the plane"
-                                                             : "the surface mapped to the plane (grey) and the lines that guide the path, first to last from blue to yellow"}};
+  Overlay overlay{view.title,
+                  {view.map_guide_lines.empty() ? "the surface's triangles, mapped to the plane"
+                                                : "the surface mapped to the plane (grey) and the lines that guide the "
+                                                  "path, first to last from blue to yellow"}};
   overlay.scale = false;  // the map has no millimetres
   overlay.triad = false;
   return finished_picture(scene, camera, overlay);

@@ -31,7 +31,8 @@ Box part_box(const RunView& view) {
 
 void add_solids(Scene3d& scene, const RunView& view) {
   if (!view.surface_P.triangles.empty()) scene.meshes.push_back({&view.surface_P, {}, {0.80F, 0.83F, 0.86F}, 1.0F});
-  for (const geometry::TriangleMesh& obstacle : view.obstacles_P) scene.meshes.push_back({&obstacle, {}, obstacle_colour, 1.0F});
+  for (const geometry::TriangleMesh& obstacle : view.obstacles_P)
+    scene.meshes.push_back({&obstacle, {}, obstacle_colour, 1.0F});
 }
 
 namespace {
@@ -50,7 +51,8 @@ ColouredLine planned_line(const RunView& view, double turns) {
   for (const kinematics::ToolPathPoint& point : view.tool_path.points) {
     if (point.move != MoveKind::cut && point.move != MoveKind::link) continue;
     line.points.push_back(point.contact_P_mm);
-    line.colours.push_back(point.move == MoveKind::link ? Colour{0.8F, 0.1F, 0.1F} : sequential_colour(turns > 0.0 ? point.turn / turns : 0.0));
+    line.colours.push_back(point.move == MoveKind::link ? Colour{0.8F, 0.1F, 0.1F}
+                                                        : sequential_colour(turns > 0.0 ? point.turn / turns : 0.0));
   }
   return line;
 }
@@ -79,18 +81,28 @@ Result<Image> finished_picture(const Scene3d& scene, const Camera& camera, const
   return image;
 }
 
-Camera standard_camera(const Box& box) { return fit_camera(box, default_view, static_cast<double>(picture_width) / picture_height, 0.22); }
+Camera standard_camera(const Box& box) {
+  return fit_camera(box, default_view, static_cast<double>(picture_width) / picture_height, 0.22);
+}
 
 Result<Image> path_picture(const RunView& view) {
   Scene3d scene;
   add_solids(scene, view);
   const double turns = greatest_turn(view);
   const bool planned = !view.tool_path.points.empty();
-  ColourBar bar{planned ? "turn" : "time, s", 0.0, planned ? turns : (view.trace.samples.empty() ? 0.0 : view.trace.samples.back().time_s), sequential_colour};
-  if (planned) scene.lines.push_back(planned_line(view, turns));
-  else scene.lines = traced_lines(view);
+  ColourBar bar{planned ? "turn" : "time, s", 0.0,
+                planned ? turns : (view.trace.samples.empty() ? 0.0 : view.trace.samples.back().time_s),
+                sequential_colour};
+  if (planned)
+    scene.lines.push_back(planned_line(view, turns));
+  else
+    scene.lines = traced_lines(view);
   const Camera camera = standard_camera(part_box(view));
-  return finished_picture(scene, camera, {view.title, {planned ? "tool path on the surface, coloured by turn of the spiral" : "tool tip while cutting, coloured by time"}, &bar});
+  return finished_picture(scene, camera,
+                          {view.title,
+                           {planned ? "tool path on the surface, coloured by turn of the spiral"
+                                    : "tool tip while cutting, coloured by time"},
+                           &bar});
 }
 
 Result<Image> machined_picture(const RunView& view) {
@@ -101,11 +113,14 @@ Result<Image> machined_picture(const RunView& view) {
   if (range <= 0.0) range = 1.0;
   ShadedMesh machined{&view.surface_P, {}, {}, 1.0F};
   for (const double deviation : view.cut->vertex_deviation_mm)
-    machined.vertex_colours.push_back(std::isfinite(deviation) ? diverging_colour(deviation / range) : Colour{0.15F, 0.15F, 0.15F});
+    machined.vertex_colours.push_back(std::isfinite(deviation) ? diverging_colour(deviation / range)
+                                                               : Colour{0.15F, 0.15F, 0.15F});
   scene.meshes.push_back(std::move(machined));
   ColourBar bar{"deviation, mm", -range, range, [](double share) { return diverging_colour(2.0 * share - 1.0); }};
   const Camera camera = standard_camera(part_box(view));
-  return finished_picture(scene, camera, {view.title, {"machined surface: above zero is left, below is gouged; black: nothing came near"}, &bar});
+  return finished_picture(
+      scene, camera,
+      {view.title, {"machined surface: above zero is left, below is gouged; black: nothing came near"}, &bar});
 }
 
 }  // namespace volute::view

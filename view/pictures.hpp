@@ -1,8 +1,8 @@
 // The pictures of a run, each from the data that it needs.
 #pragma once
 
-#include "view/image.hpp"
 #include "view/camera.hpp"
+#include "view/image.hpp"
 #include "view/overlay.hpp"
 #include "view/renderer.hpp"
 #include "view/run_view.hpp"
@@ -11,14 +11,15 @@ namespace volute::view {
 
 constexpr int picture_width = 1600, picture_height = 1200;
 
-/// The tool path on the part, coloured by turn of the spiral; rapids in grey. From the trace when nothing was planned here.
+/// The tool path on the part, coloured by turn of the spiral; rapids in grey. From the trace when nothing was planned
+/// here.
 Result<Image> path_picture(const RunView& view);
 /// What colours the path. turn, tilt: of the plan; feed, limit (what holds the speed down), axis: of the run.
 enum class PathColour { turn, tilt, feed, limit };
 /// The path coloured by `colour`. Requires: a plan for turn and tilt, a trace for feed and limit.
 Result<Image> coloured_path_picture(const RunView& view, PathColour colour);
-/// Tool axes as strokes over the path, from the CC point towards the holder, coloured by tilt ([Sun2016] Fig. 19, [Huang2016] Figs. 8-11).
-/// Requires: a plan.
+/// Tool axes as strokes over the path, from the CC point towards the holder, coloured by tilt ([Sun2016] Fig. 19,
+/// [Huang2016] Figs. 8-11). Requires: a plan.
 Result<Image> orientation_picture(const RunView& view);
 /// The map's triangles on their rectangle with the guide lines ([Sun2016] Figs. 4 and 5). Requires: view.map_triangles.
 Result<Image> map_picture(const RunView& view);

@@ -14,11 +14,14 @@ using geometry::fixed_text;
 using geometry::short_text;
 using geometry::Vec2;
 
-constexpr double plot_width = 1200, panel_height = 240, left = 110, right = 30, title_room = 64, bottom_room = 58, gap = 18;
+constexpr double plot_width = 1200, panel_height = 240, left = 110, right = 30, title_room = 64, bottom_room = 58,
+                 gap = 18;
 /// A limit farther away than this many times the curve's own range is left out of the panel's range.
 constexpr double limit_reach = 1.6;
 
-struct Range { double least = 1e300, greatest = -1e300; };
+struct Range {
+  double least = 1e300, greatest = -1e300;
+};
 void grow(Range& range, double value) {
   range.least = std::min(range.least, value);
   range.greatest = std::max(range.greatest, value);
@@ -31,7 +34,8 @@ std::string escaped(const std::string& text) {
 }
 
 std::string text_at(double x, double y, const std::string& text, const char* extra = "") {
-  return "<text x=\"" + fixed_text(x, 1) + "\" y=\"" + fixed_text(y, 1) + "\" " + extra + ">" + escaped(text) + "</text>\n";
+  return "<text x=\"" + fixed_text(x, 1) + "\" y=\"" + fixed_text(y, 1) + "\" " + extra + ">" + escaped(text) +
+         "</text>\n";
 }
 
 Range x_range(const Plot& plot) {
@@ -62,7 +66,9 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& points, const Range& x) {
   for (std::size_t i = 0; i < points.size();) {
     const auto column = std::floor((points[i].x() - x.least) / (x.greatest - x.least) * columns);
     std::size_t least = i, greatest = i, last = i;
-    for (; last + 1 < points.size() && std::floor((points[last + 1].x() - x.least) / (x.greatest - x.least) * columns) == column; ++last) {
+    for (; last + 1 < points.size() &&
+           std::floor((points[last + 1].x() - x.least) / (x.greatest - x.least) * columns) == column;
+         ++last) {
       if (points[last + 1].y() < points[least].y()) least = last + 1;
       if (points[last + 1].y() > points[greatest].y()) greatest = last + 1;
     }
@@ -79,8 +85,12 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& points, const Range& x) {
 struct PanelFrame {
   Range x, y;
   double top = 0.0;
-  [[nodiscard]] double px(double value) const { return left + (value - x.least) / (x.greatest - x.least) * (plot_width - left - right); }
-  [[nodiscard]] double py(double value) const { return top + (y.greatest - value) / (y.greatest - y.least) * panel_height; }
+  [[nodiscard]] double px(double value) const {
+    return left + (value - x.least) / (x.greatest - x.least) * (plot_width - left - right);
+  }
+  [[nodiscard]] double py(double value) const {
+    return top + (y.greatest - value) / (y.greatest - y.least) * panel_height;
+  }
 };
 
 std::string grid(const PanelFrame& frame, bool label_x) {
@@ -88,14 +98,19 @@ std::string grid(const PanelFrame& frame, bool label_x) {
   const double step_y = round_step(frame.y.greatest - frame.y.least, 4);
   for (double tick = std::ceil(frame.y.least / step_y) * step_y; tick <= frame.y.greatest; tick += step_y) {
     const double y = frame.py(tick);
-    out += "<path class=\"grid\" d=\"M" + fixed_text(left, 0) + " " + fixed_text(y, 1) + "H" + fixed_text(plot_width - right, 0) + "\"/>\n";
+    out += "<path class=\"grid\" d=\"M" + fixed_text(left, 0) + " " + fixed_text(y, 1) + "H" +
+           fixed_text(plot_width - right, 0) + "\"/>\n";
     out += text_at(left - 8, y + 5, short_text(std::abs(tick) < 1e-9 * step_y ? 0.0 : tick, 5), "text-anchor=\"end\"");
   }
   const double step_x = round_step(frame.x.greatest - frame.x.least, 10);
-  for (double tick = std::ceil(frame.x.least / step_x) * step_x; tick <= frame.x.greatest * (1.0 + 1e-12); tick += step_x) {
+  for (double tick = std::ceil(frame.x.least / step_x) * step_x; tick <= frame.x.greatest * (1.0 + 1e-12);
+       tick += step_x) {
     const double x = frame.px(tick);
-    out += "<path class=\"grid\" d=\"M" + fixed_text(x, 1) + " " + fixed_text(frame.top, 1) + "v" + fixed_text(panel_height, 0) + "\"/>\n";
-    if (label_x) out += text_at(x, frame.top + panel_height + 20, short_text(std::abs(tick) < 1e-9 * step_x ? 0.0 : tick, 6), "text-anchor=\"middle\"");
+    out += "<path class=\"grid\" d=\"M" + fixed_text(x, 1) + " " + fixed_text(frame.top, 1) + "v" +
+           fixed_text(panel_height, 0) + "\"/>\n";
+    if (label_x)
+      out += text_at(x, frame.top + panel_height + 20, short_text(std::abs(tick) < 1e-9 * step_x ? 0.0 : tick, 6),
+                     "text-anchor=\"middle\"");
   }
   return out;
 }
@@ -111,8 +126,8 @@ std::string limit_lines(const PlotPanel& panel, const PanelFrame& frame) {
   std::string out;
   for (const double limit : panel.limits) {
     if (limit < frame.y.least || limit > frame.y.greatest) continue;
-    out += "<path stroke=\"#b00020\" stroke-width=\"1.4\" stroke-dasharray=\"7 5\" d=\"M" + fixed_text(left, 0) + " " + fixed_text(frame.py(limit), 1) +
-           "H" + fixed_text(plot_width - right, 0) + "\"/>\n";
+    out += "<path stroke=\"#b00020\" stroke-width=\"1.4\" stroke-dasharray=\"7 5\" d=\"M" + fixed_text(left, 0) + " " +
+           fixed_text(frame.py(limit), 1) + "H" + fixed_text(plot_width - right, 0) + "\"/>\n";
   }
   return out;
 }
@@ -121,7 +136,8 @@ std::string legend(const PlotPanel& panel, const PanelFrame& frame) {
   std::string out;
   double x = left + 12;
   for (const PlotSeries& series : panel.series) {
-    out += "<path stroke-width=\"3\" stroke=\"" + series.colour + "\" d=\"M" + fixed_text(x, 0) + " " + fixed_text(frame.top + 14, 0) + "h22\"/>\n";
+    out += "<path stroke-width=\"3\" stroke=\"" + series.colour + "\" d=\"M" + fixed_text(x, 0) + " " +
+           fixed_text(frame.top + 14, 0) + "h22\"/>\n";
     out += text_at(x + 28, frame.top + 19, series.name, "class=\"key\"");
     x += 60 + 9.0 * static_cast<double>(series.name.size());
   }
@@ -130,28 +146,34 @@ std::string legend(const PlotPanel& panel, const PanelFrame& frame) {
 
 std::string panel_text(const PlotPanel& panel, const PanelFrame& frame, bool label_x) {
   std::string out = grid(frame, label_x);
-  out += "<rect x=\"" + fixed_text(left, 0) + "\" y=\"" + fixed_text(frame.top, 0) + "\" width=\"" + fixed_text(plot_width - left - right, 0) + "\" height=\"" +
-         fixed_text(panel_height, 0) + "\" fill=\"none\" stroke=\"#444\"/>\n";
+  out += "<rect x=\"" + fixed_text(left, 0) + "\" y=\"" + fixed_text(frame.top, 0) + "\" width=\"" +
+         fixed_text(plot_width - left - right, 0) + "\" height=\"" + fixed_text(panel_height, 0) +
+         "\" fill=\"none\" stroke=\"#444\"/>\n";
   out += limit_lines(panel, frame);
   for (const PlotSeries& series : panel.series) out += curve(series, frame);
   const double middle = frame.top + panel_height / 2;
-  out += "<text transform=\"translate(24 " + fixed_text(middle, 0) + ") rotate(-90)\" text-anchor=\"middle\">" + escaped(panel.y_label) + "</text>\n";
+  out += "<text transform=\"translate(24 " + fixed_text(middle, 0) + ") rotate(-90)\" text-anchor=\"middle\">" +
+         escaped(panel.y_label) + "</text>\n";
   return out + legend(panel, frame);
 }
 
 }  // namespace
 
 const std::vector<std::string>& plot_colours() {
-  static const std::vector<std::string> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
+  static const std::vector<std::string> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                "#e69f00", "#56b4e9", "#000000"};
   return colours;
 }
 
 std::string svg_text(const Plot& plot) {
   const double count = static_cast<double>(plot.panels.size());
   const double height = title_room + count * (panel_height + gap) + bottom_room;
-  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + fixed_text(plot_width, 0) + " " + fixed_text(height, 0) +
-                    "\" font-family=\"DejaVu Sans, sans-serif\" font-size=\"14\">\n<style>.grid{stroke:#ddd;fill:none}.key{font-weight:bold}</style>\n";
-  out += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + text_at(left, 36, plot.title, "font-size=\"20\" font-weight=\"bold\"");
+  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + fixed_text(plot_width, 0) + " " +
+                    fixed_text(height, 0) +
+                    "\" font-family=\"DejaVu Sans, sans-serif\" "
+                    "font-size=\"14\">\n<style>.grid{stroke:#ddd;fill:none}.key{font-weight:bold}</style>\n";
+  out += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" +
+         text_at(left, 36, plot.title, "font-size=\"20\" font-weight=\"bold\"");
   const Range x = x_range(plot);
   double top = title_room;
   for (std::size_t i = 0; i < plot.panels.size(); ++i, top += panel_height + gap)

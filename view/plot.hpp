@@ -11,14 +11,14 @@ namespace volute::view {
 
 struct PlotSeries {
   std::string name;
-  std::string colour;                   ///< SVG colour
-  std::vector<geometry::Vec2> points;   ///< x rising
+  std::string colour;                  ///< SVG colour
+  std::vector<geometry::Vec2> points;  ///< x rising
 };
 
 struct PlotPanel {
-  std::string y_label;                  ///< quantity and unit
+  std::string y_label;  ///< quantity and unit
   std::vector<PlotSeries> series;
-  std::vector<double> limits;           ///< drawn as dashed lines, and kept in sight when the curves come near them
+  std::vector<double> limits;  ///< drawn as dashed lines, and kept in sight when the curves come near them
 };
 
 struct Plot {
@@ -29,7 +29,8 @@ struct Plot {
 /// Colours that stay apart for colour-blind readers (Okabe and Ito), in order.
 const std::vector<std::string>& plot_colours();
 
-/// The plot as SVG, 1200 wide, 240 a panel. Every series is thinned to its least and greatest value per pixel column: peaks stay.
+/// The plot as SVG, 1200 wide, 240 a panel. Every series is thinned to its least and greatest value per pixel column:
+/// peaks stay.
 std::string svg_text(const Plot& plot);
 
 }  // namespace volute::view

@@ -16,9 +16,11 @@ constexpr int oversampling = 2;
 /// The only place that knows how a context is made without a display.
 class OffscreenContext {
  public:
-  OffscreenContext(int width, int height) : pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4) {
+  OffscreenContext(int width, int height)
+      : pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4) {
     context_ = OSMesaCreateContextExt(OSMESA_BGRA, 24, 0, 0, nullptr);
-    ready_ = context_ != nullptr && OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, width, height) == GL_TRUE;
+    ready_ =
+        context_ != nullptr && OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, width, height) == GL_TRUE;
     if (ready_) OSMesaPixelStore(OSMESA_Y_UP, 0);
   }
   ~OffscreenContext() {
@@ -49,13 +51,15 @@ void set_camera(const Camera& camera) {
   glLoadMatrixd(look.data());
 }
 
-/// A key light over the viewer's left shoulder, a weak one from the right, both fixed to the camera; both faces are lit.
+/// A key light over the viewer's left shoulder, a weak one from the right, both fixed to the camera; both faces are
+/// lit.
 void set_lights() {
   glMatrixMode(GL_MODELVIEW);
   glPushMatrix();
   glLoadIdentity();
   const GLfloat key[] = {-0.5F, 0.7F, 1.0F, 0.0F}, fill[] = {0.9F, 0.1F, 0.5F, 0.0F};
-  const GLfloat strong[] = {0.62F, 0.62F, 0.60F, 1.0F}, weak[] = {0.22F, 0.22F, 0.25F, 1.0F}, ambient[] = {0.30F, 0.30F, 0.30F, 1.0F};
+  const GLfloat strong[] = {0.62F, 0.62F, 0.60F, 1.0F}, weak[] = {0.22F, 0.22F, 0.25F, 1.0F},
+                ambient[] = {0.30F, 0.30F, 0.30F, 1.0F};
   glLightfv(GL_LIGHT0, GL_POSITION, key);
   glLightfv(GL_LIGHT0, GL_DIFFUSE, strong);
   glLightfv(GL_LIGHT1, GL_POSITION, fill);
@@ -118,7 +122,9 @@ void draw_line(const ColouredLine& line, const Camera& camera) {
 geometry::Result<Image> render(const Scene3d& scene, const Camera& camera, int width, int height) {
   const int large_width = width * oversampling, large_height = height * oversampling;
   OffscreenContext context(large_width, large_height);
-  if (!context.ready()) return geometry::system_error("picture-no-context", "OSMesa gave no drawing context of this size; install libosmesa6");
+  if (!context.ready())
+    return geometry::system_error("picture-no-context",
+                                  "OSMesa gave no drawing context of this size; install libosmesa6");
   glViewport(0, 0, large_width, large_height);
   glClearColor(scene.background[0], scene.background[1], scene.background[2], 1.0F);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

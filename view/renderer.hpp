@@ -1,4 +1,5 @@
-// Meshes and lines as a picture, by OSMesa: no display is needed. All OpenGL stands in renderer.cpp, the context behind one function.
+// Meshes and lines as a picture, by OSMesa: no display is needed. All OpenGL stands in renderer.cpp, the context behind
+// one function.
 #pragma once
 
 #include <span>
@@ -22,7 +23,7 @@ struct ColouredLine {
   std::vector<Colour> colours;  ///< one a point, or none: `colour`
   Colour colour{0.1F, 0.1F, 0.1F};
   double width_px = 1.5;
-  double lift_mm = 0.0;         ///< moved towards the viewer, so that a line on a surface is not hidden by it
+  double lift_mm = 0.0;  ///< moved towards the viewer, so that a line on a surface is not hidden by it
 };
 
 struct Scene3d {

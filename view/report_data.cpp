@@ -22,7 +22,9 @@ constexpr double deviation_step_mm = 1e-5, mesh_steps = 30000.0, turn_step = 1e-
 constexpr std::size_t page_triangles_max = 120'000;
 
 /// People's unit of an axis: mm or deg.
-double unit_of(const kinematics::Axis& axis) { return axis.kind == kinematics::AxisKind::rotary ? degrees_per_radian : 1.0; }
+double unit_of(const kinematics::Axis& axis) {
+  return axis.kind == kinematics::AxisKind::rotary ? degrees_per_radian : 1.0;
+}
 
 Json vector_json(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
@@ -50,12 +52,17 @@ Json axis_json(const kinematics::Axis& axis) {
 
 Json machine_json(const RunView& view) {
   const kinematics::Machine& machine = view.profile->machine;
-  Json json{{"name", view.profile->name}, {"title", machine.title}, {"control", view.profile->control.title},
-            {"table_axes", machine.table_axes}, {"chain", machine.chain}, {"part_in_machine", transform_json(view.setup.part_in_machine)},
+  Json json{{"name", view.profile->name},
+            {"title", machine.title},
+            {"control", view.profile->control.title},
+            {"table_axes", machine.table_axes},
+            {"chain", machine.chain},
+            {"part_in_machine", transform_json(view.setup.part_in_machine)},
             {"gauge", transform_json(machine.gauge_at_zero_M)}};
   for (const kinematics::Axis& axis : machine.axes) json["axes"].push_back(axis_json(axis));
   json["links"] = Json::array();
-  for (const kinematics::LinkShape& shape : machine.shapes) json["links"].push_back({{"name", shape.name}, {"link", shape.link}});
+  for (const kinematics::LinkShape& shape : machine.shapes)
+    json["links"].push_back({{"name", shape.name}, {"link", shape.link}});
   return json;
 }
 
@@ -63,16 +70,24 @@ Json tool_json(const kinematics::Tool& tool) {
   Json profile = Json::array();
   for (const kinematics::ProfilePoint& point : kinematics::assembly_profile(tool, profile_tolerance_mm))
     profile.push_back({point.z_mm, point.radius_mm});
-  return {{"name", tool.name},           {"profile", profile},
-          {"radius_mm", tool.cutter.radius_mm}, {"flutes_end_mm", tool.cutter.length_mm},
-          {"holder_start_mm", tool.stick_out_mm}, {"gauge_length_mm", tool.gauge_length_mm}};
+  return {{"name", tool.name},
+          {"profile", profile},
+          {"radius_mm", tool.cutter.radius_mm},
+          {"flutes_end_mm", tool.cutter.length_mm},
+          {"holder_start_mm", tool.stick_out_mm},
+          {"gauge_length_mm", tool.gauge_length_mm}};
 }
 
 Json findings_json(const std::vector<sim::Finding>& findings) {
   Json list = Json::array();
   for (const sim::Finding& finding : findings)
-    list.push_back({{"kind", finding.kind}, {"line", finding.line}, {"time_s", finding.time_s}, {"where", finding.axis_or_pair},
-                    {"value", finding.value}, {"limit", finding.limit}, {"text", finding.text}});
+    list.push_back({{"kind", finding.kind},
+                    {"line", finding.line},
+                    {"time_s", finding.time_s},
+                    {"where", finding.axis_or_pair},
+                    {"value", finding.value},
+                    {"limit", finding.limit},
+                    {"text", finding.text}});
   return list;
 }
 
@@ -89,7 +104,9 @@ Json report_json(const RunView& view) {
     json["obstacles"].push_back(i < view.obstacle_names.size() ? view.obstacle_names[i] : "obstacle");
   if (view.profile) json["machine"] = machine_json(view);
   if (view.cut && !view.cut->histogram.empty())
-    json["histogram"] = {{"counts", view.cut->histogram}, {"least_mm", view.cut->histogram_min_mm}, {"step_mm", view.cut->histogram_step_mm}};
+    json["histogram"] = {{"counts", view.cut->histogram},
+                         {"least_mm", view.cut->histogram_min_mm},
+                         {"step_mm", view.cut->histogram_step_mm}};
   return json;
 }
 
@@ -113,7 +130,8 @@ void add_mesh(PackedData& data, const std::string& name, const geometry::Triangl
   const double step = std::max(extent_mm(mesh) / mesh_steps, 1e-6);
   add_points(data, name, mesh.vertices_mm, step, [](const Vec3& vertex) -> const Vec3& { return vertex; });
   std::vector<std::int64_t> corners;
-  for (const geometry::Triangle& triangle : mesh.triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+  for (const geometry::Triangle& triangle : mesh.triangles)
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
   data.add_integers(name + ".corners", corners);
 }
 
@@ -132,7 +150,8 @@ void add_deviation(PackedData& data, const RunView& view, const CoarseMesh& coar
 void add_planned_path(PackedData& data, const RunView& view) {
   const auto& points = view.tool_path.points;
   if (points.empty()) return;
-  add_points(data, "plan.contact", points, length_step_mm, [](const auto& point) -> const Vec3& { return point.contact_P_mm; });
+  add_points(data, "plan.contact", points, length_step_mm,
+             [](const auto& point) -> const Vec3& { return point.contact_P_mm; });
   std::vector<double> turn, tilt;
   std::vector<std::int64_t> move;
   for (const kinematics::ToolPathPoint& point : points) {
@@ -150,7 +169,8 @@ std::string scene_bytes(const RunView& view) {
   const CoarseMesh surface = coarse_mesh(view.surface_P, page_triangles_max);
   add_mesh(data, "surface", surface.mesh);
   add_deviation(data, view, surface);
-  for (std::size_t i = 0; i < view.obstacles_P.size(); ++i) add_mesh(data, "obstacle" + std::to_string(i), coarse_mesh(view.obstacles_P[i], page_triangles_max).mesh);
+  for (std::size_t i = 0; i < view.obstacles_P.size(); ++i)
+    add_mesh(data, "obstacle" + std::to_string(i), coarse_mesh(view.obstacles_P[i], page_triangles_max).mesh);
   if (view.profile)
     for (std::size_t i = 0; i < view.profile->machine.shapes.size(); ++i)
       add_mesh(data, "link" + std::to_string(i), view.profile->machine.shapes[i].mesh_M);
@@ -173,17 +193,21 @@ void add_axis(PackedData& data, const RunView& view, int index) {
   const double step = axis.kind == kinematics::AxisKind::rotary ? angle_step_deg : length_step_mm;
   data.add("position." + letter, column_of(samples, [&](const auto& s) { return s.position[index] * unit; }), step);
   data.add_curve("velocity." + letter, column_of(samples, [&](const auto& s) { return s.velocity[index] * unit; }));
-  data.add_curve("acceleration." + letter, column_of(samples, [&](const auto& s) { return s.acceleration[index] * unit; }));
+  data.add_curve("acceleration." + letter,
+                 column_of(samples, [&](const auto& s) { return s.acceleration[index] * unit; }));
   data.add_curve("jerk." + letter, column_of(samples, [&](const auto& s) { return s.jerk[index] * unit; }));
-  data.add_curve("lag." + letter, column_of(samples, [&](const auto& s) { return (s.position[index] - s.actual[index]) * unit; }));
+  data.add_curve("lag." + letter,
+                 column_of(samples, [&](const auto& s) { return (s.position[index] - s.actual[index]) * unit; }));
 }
 
 std::string trace_bytes(const RunView& view) {
   PackedData data;
   const auto& samples = view.trace.samples;
   data.add("time", column_of(samples, [](const auto& s) { return s.time_s; }), time_step_s);
-  add_points(data, "tip", view.trace.poses_P, length_step_mm, [](const auto& pose) -> const Vec3& { return pose.tip_P_mm; });
-  add_points(data, "axis", view.trace.poses_P, direction_step, [](const auto& pose) -> const Vec3& { return pose.axis_P; });
+  add_points(data, "tip", view.trace.poses_P, length_step_mm,
+             [](const auto& pose) -> const Vec3& { return pose.tip_P_mm; });
+  add_points(data, "axis", view.trace.poses_P, direction_step,
+             [](const auto& pose) -> const Vec3& { return pose.axis_P; });
   data.add_curve("feed", column_of(samples, [](const auto& s) { return s.tip_speed_mm_s * 60.0; }));
   std::vector<std::int64_t> line, limit, limiting_axis, motion;
   for (const sim::AxisSample& sample : samples) {

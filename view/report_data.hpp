@@ -15,8 +15,8 @@ struct PagePart {
   bool packed = false;
 };
 
-/// report: the numbers and findings (JSON). scene: meshes and planned path. trace: what the axes did. program: its text.
-/// Deterministic; no seconds of the computation.
+/// report: the numbers and findings (JSON). scene: meshes and planned path. trace: what the axes did. program: its
+/// text. Deterministic; no seconds of the computation.
 std::vector<PagePart> page_parts(const RunView& view);
 
 }  // namespace volute::view

@@ -1,4 +1,5 @@
-// report.html: one page that needs no network. The numbers stand in it as JSON, the rest as packed data; view/page shows them.
+// report.html: one page that needs no network. The numbers stand in it as JSON, the rest as packed data; view/page
+// shows them.
 #include "geometry/file.hpp"
 #include "view/page_asset.hpp"
 #include "view/report_data.hpp"
@@ -10,7 +11,8 @@ namespace {
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
+  for (const char c : text)
+    out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
   return out;
 }
 
@@ -24,26 +26,32 @@ std::string safe_json(const std::string& json) {
 
 std::string verdict_text(const RunView& view) {
   if (view.findings.empty()) return "PASSED: the virtual machine found nothing wrong.";
-  return "REJECTED: " + std::to_string(view.findings.size()) + (view.findings.size() == 1 ? " finding. " : " findings. ") + view.findings.front().text;
+  return "REJECTED: " + std::to_string(view.findings.size()) +
+         (view.findings.size() == 1 ? " finding. " : " findings. ") + view.findings.front().text;
 }
 
 std::string data_element(const PagePart& part) {
-  return std::string("<script id=\"data-") + part.id + "\" type=\"" + (part.packed ? "text/plain" : "application/json") + "\">" +
-         (part.packed ? part.text : safe_json(part.text)) + "</script>\n";
+  return std::string("<script id=\"data-") + part.id + "\" type=\"" +
+         (part.packed ? "text/plain" : "application/json") + "\">" + (part.packed ? part.text : safe_json(part.text)) +
+         "</script>\n";
 }
 
 /// What stands in the page before its program runs, and all of it where scripts are off.
 std::string first_words(const RunView& view) {
-  return "<header><h1>" + escaped(view.title) + "</h1><p id=\"verdict\" class=\"" + (view.findings.empty() ? "passed" : "rejected") + "\">" +
-         escaped(verdict_text(view)) + "</p></header>\n<main id=\"page\"><noscript>The figures, the playback and the plots need JavaScript. " +
+  return "<header><h1>" + escaped(view.title) + "</h1><p id=\"verdict\" class=\"" +
+         (view.findings.empty() ? "passed" : "rejected") + "\">" + escaped(verdict_text(view)) +
+         "</p></header>\n<main id=\"page\"><noscript>The figures, the playback and the plots need JavaScript. " +
          "The same numbers stand in report.json beside this file.</noscript></main>\n";
 }
 
 }  // namespace
 
 Result<void> write_report_html(const RunView& view, const std::filesystem::path& file) {
-  std::string page = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
-                     "<link rel=\"icon\" href=\"data:,\"><title>" + escaped(view.title) + "</title>\n<style>";
+  std::string page =
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width,initial-scale=1\">"
+      "<link rel=\"icon\" href=\"data:,\"><title>" +
+      escaped(view.title) + "</title>\n<style>";
   page.append(page_style());
   page += "</style></head>\n<body>\n" + first_words(view);
   for (const PagePart& part : page_parts(view)) page += data_element(part);

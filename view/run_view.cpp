@@ -31,7 +31,9 @@ std::function<Result<std::string>()> svg(const RunView& view, Plot (*draw)(const
 }
 
 template <PathColour colour>
-Result<Image> path_by(const RunView& view) { return coloured_path_picture(view, colour); }
+Result<Image> path_by(const RunView& view) {
+  return coloured_path_picture(view, colour);
+}
 Result<Image> whole_machine(const RunView& view) { return machine_picture(view, shown_moment_s(view), false); }
 Result<Image> near_machine(const RunView& view) { return machine_picture(view, shown_moment_s(view), true); }
 
@@ -47,7 +49,8 @@ Result<std::vector<std::string>> write_pictures(const RunView& view, const std::
   const bool surface = !view.surface_P.triangles.empty();
   const bool planned = !view.tool_path.points.empty();
   const bool trace = view.profile.has_value() && !view.trace.samples.empty();
-  const bool deviation = surface && view.cut && view.cut->vertex_deviation_mm.size() == view.surface_P.vertices_mm.size();
+  const bool deviation =
+      surface && view.cut && view.cut->vertex_deviation_mm.size() == view.surface_P.vertices_mm.size();
   const std::vector<PictureMaker> makers{
       {"path.png", surface || trace, png(view, path_picture)},
       {"path-feed.png", trace, png(view, path_by<PathColour::feed>)},

@@ -20,18 +20,18 @@ using geometry::Result;
 
 /// A run as it is drawn. Empty members leave their picture out. Part frame P throughout.
 struct RunView {
-  std::string title;                               ///< "mouse on ac-head-fanuc"
+  std::string title;  ///< "mouse on ac-head-fanuc"
   geometry::TriangleMesh surface_P;
   std::vector<geometry::TriangleMesh> obstacles_P;
   std::vector<std::string> obstacle_names;
   kinematics::Tool tool;
   kinematics::Setup setup;
   std::optional<kinematics::Profile> profile;
-  kinematics::ToolPath tool_path;                  ///< what was planned (or read from CL data); may be empty for foreign programs
-  sim::TraceView trace;                            ///< what the axes did
+  kinematics::ToolPath tool_path;  ///< what was planned (or read from CL data); may be empty for foreign programs
+  sim::TraceView trace;            ///< what the axes did
   std::optional<sim::CutSurfaceReport> cut;
   std::vector<sim::Finding> findings;
-  std::string report_json;                         ///< report.json as text: the numbers that the page shows
+  std::string report_json;  ///< report.json as text: the numbers that the page shows
   std::string program_name, program_text;
   // the map, when the method has one
   std::vector<geometry::Vec2> map_vertices;

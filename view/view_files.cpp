@@ -15,7 +15,8 @@ using geometry::Vec3;
 
 constexpr const char* file_name = "view.cbor";
 constexpr int layout_version = 1;
-/// time, 5 x (position, velocity, acceleration, jerk, actual), line, tip speed, limit, limiting axis, rapid, cutting, tip, axis.
+/// time, 5 x (position, velocity, acceleration, jerk, actual), line, tip speed, limit, limiting axis, rapid, cutting,
+/// tip, axis.
 constexpr std::size_t sample_doubles = 1 + 25 + 6 + 6;
 /// tip, axis, contact, normal, feed, turn, move.
 constexpr std::size_t point_doubles = 15;
@@ -76,9 +77,11 @@ Json trace_json(const sim::TraceView& trace) {
   for (std::size_t i = 0; i < trace.samples.size(); ++i) {
     const sim::AxisSample& sample = trace.samples[i];
     out.push_back(sample.time_s);
-    for (const auto* vector : {&sample.position, &sample.velocity, &sample.acceleration, &sample.jerk, &sample.actual}) append(out, *vector);
-    for (const double value : {static_cast<double>(sample.line), sample.tip_speed_mm_s, static_cast<double>(sample.limit),
-                               static_cast<double>(sample.limiting_axis), sample.rapid ? 1.0 : 0.0, sample.cutting ? 1.0 : 0.0})
+    for (const auto* vector : {&sample.position, &sample.velocity, &sample.acceleration, &sample.jerk, &sample.actual})
+      append(out, *vector);
+    for (const double value :
+         {static_cast<double>(sample.line), sample.tip_speed_mm_s, static_cast<double>(sample.limit),
+          static_cast<double>(sample.limiting_axis), sample.rapid ? 1.0 : 0.0, sample.cutting ? 1.0 : 0.0})
       out.push_back(value);
     append(out, trace.poses_P[i].tip_P_mm);
     append(out, trace.poses_P[i].axis_P);
@@ -95,7 +98,8 @@ sim::TraceView trace_of(const Json& json) {
   for (std::size_t i = 0; i < trace.samples.size(); ++i) {
     sim::AxisSample& sample = trace.samples[i];
     sample.time_s = taker.one();
-    for (auto* vector : {&sample.position, &sample.velocity, &sample.acceleration, &sample.jerk, &sample.actual}) taker.into(*vector);
+    for (auto* vector : {&sample.position, &sample.velocity, &sample.acceleration, &sample.jerk, &sample.actual})
+      taker.into(*vector);
     sample.line = static_cast<std::int64_t>(taker.one());
     sample.tip_speed_mm_s = taker.one();
     sample.limit = static_cast<sim::Limit>(static_cast<int>(taker.one()));
@@ -112,7 +116,8 @@ Json path_json(const kinematics::ToolPath& path) {
   std::vector<double> out;
   out.reserve(path.points.size() * point_doubles);
   for (const kinematics::ToolPathPoint& point : path.points) {
-    for (const Vec3* vector : {&point.pose.tip_P_mm, &point.pose.axis_P, &point.contact_P_mm, &point.normal_P}) append(out, *vector);
+    for (const Vec3* vector : {&point.pose.tip_P_mm, &point.pose.axis_P, &point.contact_P_mm, &point.normal_P})
+      append(out, *vector);
     for (const double value : {point.feed_mm_s, point.turn, static_cast<double>(point.move)}) out.push_back(value);
   }
   return binary(out);
@@ -124,7 +129,8 @@ kinematics::ToolPath path_of(const Json& json) {
   Taker taker(values);
   path.points.resize(values.size() / point_doubles);
   for (kinematics::ToolPathPoint& point : path.points) {
-    for (Vec3* vector : {&point.pose.tip_P_mm, &point.pose.axis_P, &point.contact_P_mm, &point.normal_P}) taker.into(*vector);
+    for (Vec3* vector : {&point.pose.tip_P_mm, &point.pose.axis_P, &point.contact_P_mm, &point.normal_P})
+      taker.into(*vector);
     point.feed_mm_s = taker.one();
     point.turn = taker.one();
     point.move = static_cast<kinematics::MoveKind>(static_cast<int>(taker.one()));
@@ -134,7 +140,8 @@ kinematics::ToolPath path_of(const Json& json) {
 
 Json tool_json(const kinematics::Tool& tool) {
   Json holder = Json::array();
-  for (const kinematics::ConeSegment& cone : tool.holder) holder.push_back({cone.bottom_radius_mm, cone.top_radius_mm, cone.z_mm, cone.length_mm});
+  for (const kinematics::ConeSegment& cone : tool.holder)
+    holder.push_back({cone.bottom_radius_mm, cone.top_radius_mm, cone.z_mm, cone.length_mm});
   return {{"name", tool.name},
           {"shape", static_cast<int>(tool.cutter.shape)},
           {"radius", tool.cutter.radius_mm},
@@ -163,9 +170,15 @@ kinematics::Tool tool_of(const Json& json) {
 }
 
 Json cut_json(const sim::CutSurfaceReport& cut) {
-  return {{"deviation", binary(cut.vertex_deviation_mm)}, {"histogram", binary(cut.histogram)}, {"histogram_min", cut.histogram_min_mm},
-          {"histogram_step", cut.histogram_step_mm},      {"samples", cut.samples},             {"scallop_max", cut.scallop_max_mm},
-          {"scallop_p99", cut.scallop_p99_mm},            {"gouge_max", cut.gouge_max_mm},      {"uncut_area", cut.uncut_area_mm2},
+  return {{"deviation", binary(cut.vertex_deviation_mm)},
+          {"histogram", binary(cut.histogram)},
+          {"histogram_min", cut.histogram_min_mm},
+          {"histogram_step", cut.histogram_step_mm},
+          {"samples", cut.samples},
+          {"scallop_max", cut.scallop_max_mm},
+          {"scallop_p99", cut.scallop_p99_mm},
+          {"gouge_max", cut.gouge_max_mm},
+          {"uncut_area", cut.uncut_area_mm2},
           {"uncut", cut.uncut}};
 }
 
@@ -187,7 +200,8 @@ sim::CutSurfaceReport cut_of(const Json& json) {
 Json findings_json(const std::vector<sim::Finding>& findings) {
   Json list = Json::array();
   for (const sim::Finding& finding : findings)
-    list.push_back({finding.kind, finding.line, finding.time_s, finding.axis_or_pair, finding.value, finding.limit, finding.text});
+    list.push_back(
+        {finding.kind, finding.line, finding.time_s, finding.axis_or_pair, finding.value, finding.limit, finding.text});
   return list;
 }
 
@@ -270,24 +284,30 @@ Result<void> save_view(const RunView& view, const std::filesystem::path& folder)
             {"map", map_json(view)}};
   if (view.cut) json["cut"] = cut_json(*view.cut);
   if (view.profile)
-    json["profile"] = {{"name", view.profile->name}, {"machine", view.profile->machine.file.string()}, {"control", view.profile->control.file.string()}};
+    json["profile"] = {{"name", view.profile->name},
+                       {"machine", view.profile->machine.file.string()},
+                       {"control", view.profile->control.file.string()}};
   const std::vector<std::uint8_t> bytes = Json::to_cbor(json);
-  return geometry::write_file(folder / file_name, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  return geometry::write_file(folder / file_name,
+                              std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
 Result<RunView> load_view(const std::filesystem::path& folder) {
   const auto bytes = geometry::read_file(folder / file_name);
   if (!bytes)
-    return geometry::bad_input("view-missing", folder.string() + ": holds no " + file_name + "; name a folder that volute run or volute simulate wrote");
+    return geometry::bad_input("view-missing", folder.string() + ": holds no " + file_name +
+                                                   "; name a folder that volute run or volute simulate wrote");
   try {
     const Json json = Json::from_cbor(*bytes);
     if (json.at("layout") != layout_version)
-      return geometry::bad_input("view-layout", (folder / file_name).string() + ": written by another version of Volute; run the job again");
+      return geometry::bad_input(
+          "view-layout", (folder / file_name).string() + ": written by another version of Volute; run the job again");
     RunView view = view_of(json);
     view.profile = profile_of(json);
     return view;
   } catch (const Json::exception& error) {
-    return geometry::bad_input("view-damaged", (folder / file_name).string() + ": damaged: " + error.what() + "; run the job again");
+    return geometry::bad_input("view-damaged",
+                               (folder / file_name).string() + ": damaged: " + error.what() + "; run the job again");
   }
 }
 

@@ -14,7 +14,8 @@ struct AxisPathPoint {
   ToolPose pose;                      ///< the pose that q reaches, in P
   MoveKind move = MoveKind::cut;
   double feed_mm_s = 0.0;
-  bool machine_move = false;  ///< at rapid with TCP off, axes straight: the way over the top of Z while a rotary is rewound
+  bool machine_move =
+      false;  ///< at rapid with TCP off, axes straight: the way over the top of Z while a rotary is rewound
   std::int32_t source = -1;  ///< index of the tool path's point; -1: put in between (linearization, rewind)
 };
 

@@ -12,7 +12,8 @@ FieldGrid sample_grid(const std::function<Vec3(const Vec2&)>& field, int rows, i
   FieldGrid grid(static_cast<std::size_t>(rows), std::vector<Vec3>(static_cast<std::size_t>(columns)));
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < columns; ++j)
-      grid[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = field({static_cast<double>(i) / (rows - 1), static_cast<double>(j) / (columns - 1)});
+      grid[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
+          field({static_cast<double>(i) / (rows - 1), static_cast<double>(j) / (columns - 1)});
   return grid;
 }
 

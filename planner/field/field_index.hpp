@@ -1,4 +1,5 @@
-// How smooth a field is and how well it meets its keys: the indexes of [Huang2016] section 2.2.3 and sound ones beside them.
+// How smooth a field is and how well it meets its keys: the indexes of [Huang2016] section 2.2.3 and sound ones beside
+// them.
 #pragma once
 
 #include <functional>
@@ -21,7 +22,7 @@ struct SmoothnessIndexes {
   double dirichlet = 0.0;        ///< mean of (T_u^2 + T_v^2) / 2: the sound one; converges with the grid
   double s_td_derivative = 0.0;  ///< mean of (T_u + T_v)^2 / 2: eq. 9 read as derivatives; has a cross term
   double s_td_literal = 0.0;     ///< eq. 9 to the letter, multiplied by du and dv
-  double s_td_sum = 0.0;         ///< sum of the squared differences / 8: the reading that comes near the source's tables
+  double s_td_sum = 0.0;  ///< sum of the squared differences / 8: the reading that comes near the source's tables
 };
 SmoothnessIndexes smoothness(const FieldGrid& grid);
 

@@ -17,7 +17,8 @@ Eigen::MatrixXd collocation(const std::vector<double>& knots, int points, int in
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(points, points);
   for (int i = 0; i < points; ++i) {
     const CubicBasis basis = cubic_basis(knots, static_cast<double>(i) / intervals);
-    for (int k = 0; k <= degree; ++k) matrix(i, closed ? (basis.first + k) % points : basis.first + k) += basis.values[k];
+    for (int k = 0; k <= degree; ++k)
+      matrix(i, closed ? (basis.first + k) % points : basis.first + k) += basis.values[k];
   }
   return matrix;
 }
@@ -33,7 +34,8 @@ std::vector<double> open_knots(int intervals, KnotRule rule) {
   VOLUTE_CHECK(intervals >= degree, intervals);
   std::vector<double> knots(degree + 1, 0.0);
   for (int j = 1; j <= intervals - degree; ++j)
-    knots.push_back(rule == KnotRule::eq3 ? static_cast<double>(j) / (intervals - degree + 1) : (j + 0.5 * (degree - 1)) / intervals);
+    knots.push_back(rule == KnotRule::eq3 ? static_cast<double>(j) / (intervals - degree + 1)
+                                          : (j + 0.5 * (degree - 1)) / intervals);
   knots.insert(knots.end(), degree + 1, 1.0);
   return knots;
 }
@@ -52,7 +54,8 @@ CubicBasis cubic_basis(const std::vector<double>& knots, double t) {
   for (int d = 1; d <= degree; ++d) {
     double carried = 0.0;
     for (int k = 0; k < d; ++k) {
-      const double right = knots[static_cast<std::size_t>(span + k + 1)], left = knots[static_cast<std::size_t>(span + k + 1 - d)];
+      const double right = knots[static_cast<std::size_t>(span + k + 1)],
+                   left = knots[static_cast<std::size_t>(span + k + 1 - d)];
       const double share = basis.values[k] / (right - left);
       basis.values[k] = carried + (right - t) * share;
       carried = (t - left) * share;
@@ -72,7 +75,8 @@ FieldSpline::FieldSpline(const std::function<Vec3(const Vec2&)>& sample, const F
   Eigen::MatrixXd data(rows, 3 * columns);
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < columns; ++j)
-      data.block<1, 3>(i, 3 * j) = sample({static_cast<double>(i) / options.u_intervals, static_cast<double>(j) / options.v_intervals});
+      data.block<1, 3>(i, 3 * j) =
+          sample({static_cast<double>(i) / options.u_intervals, static_cast<double>(j) / options.v_intervals});
   const Eigen::MatrixXd along_u = interpolate(u_knots_, options.u_intervals, false, data);
   Eigen::MatrixXd turned(columns, 3 * rows);
   for (int i = 0; i < rows; ++i)
@@ -80,7 +84,8 @@ FieldSpline::FieldSpline(const std::function<Vec3(const Vec2&)>& sample, const F
   const Eigen::MatrixXd along_v = interpolate(v_knots_, options.v_intervals, options.v_closed, turned);
   control_.assign(static_cast<std::size_t>(rows), std::vector<Vec3>(static_cast<std::size_t>(columns)));
   for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) control_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = along_v.block<1, 3>(j, 3 * i);
+    for (int j = 0; j < columns; ++j)
+      control_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = along_v.block<1, 3>(j, 3 * i);
 }
 
 Vec3 FieldSpline::value(const Vec2& uv) const {
@@ -91,7 +96,8 @@ Vec3 FieldSpline::value(const Vec2& uv) const {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i <= degree; ++i)
     for (int j = 0; j <= degree; ++j)
-      sum += in_u.values[i] * in_v.values[j] * control_[static_cast<std::size_t>(in_u.first + i)][static_cast<std::size_t>(in_v.first + j) % columns];
+      sum += in_u.values[i] * in_v.values[j] *
+             control_[static_cast<std::size_t>(in_u.first + i)][static_cast<std::size_t>(in_v.first + j) % columns];
   return sum;
 }
 

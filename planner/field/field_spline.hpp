@@ -1,4 +1,5 @@
-// The RBF-spline approximation of [Huang2016]: the field sampled on a parameter grid and interpolated by a cubic tensor B-spline.
+// The RBF-spline approximation of [Huang2016]: the field sampled on a parameter grid and interpolated by a cubic tensor
+// B-spline.
 #pragma once
 
 #include <functional>
@@ -17,8 +18,9 @@ enum class KnotRule {
 };
 
 struct FieldSplineOptions {
-  int u_intervals = 30, v_intervals = 10;  ///< N_u, N_v: the grid has one point more in an open direction, as many in a closed one
-  bool v_closed = false;                   ///< half-open surface: v has period 1
+  int u_intervals = 30,
+      v_intervals = 10;   ///< N_u, N_v: the grid has one point more in an open direction, as many in a closed one
+  bool v_closed = false;  ///< half-open surface: v has period 1
   KnotRule knots = KnotRule::averaged;
 };
 
@@ -38,7 +40,10 @@ class FieldSpline {
 };
 
 /// Non-zero cubic basis functions at t: four values, for control points first .. first + 3.
-struct CubicBasis { int first = 0; double values[4] = {}; };
+struct CubicBasis {
+  int first = 0;
+  double values[4] = {};
+};
 CubicBasis cubic_basis(const std::vector<double>& knots, double t);
 /// Clamped knots for data at i / intervals.
 std::vector<double> open_knots(int intervals, KnotRule rule);

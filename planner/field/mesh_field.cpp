@@ -12,9 +12,10 @@ namespace volute::planner {
 
 namespace {
 
-/// Width of the basis when the user gives none, in spacings of the keys (their spread over the root of their number). Measured on the
-/// normals of a half-sphere with 37 and 123 keys: 1.25 leaves 13 and 9 degrees between keys, 3 leaves 3.7 and 2.2 at a reciprocal condition of
-/// 5e-10, 6 gains nothing at 1e-14. The Gaussian's equations turn singular sooner.
+/// Width of the basis when the user gives none, in spacings of the keys (their spread over the root of their number).
+/// Measured on the normals of a half-sphere with 37 and 123 keys: 1.25 leaves 13 and 9 degrees between keys, 3
+/// leaves 3.7 and 2.2 at a reciprocal condition of 5e-10, 6 gains nothing at 1e-14. The Gaussian's equations turn
+/// singular sooner.
 constexpr double multiquadric_spacings = 3.0;
 constexpr double gaussian_spacings = 2.0;
 /// Widest half-open basis that eq. 5 allows (a < 0.5).
@@ -36,9 +37,12 @@ FieldMetric metric_of(FieldPlacement placement, const Vec3& size_mm) {
 
 Result<void> check_options(const FieldOptions& options) {
   if (options.spline && options.placement == FieldPlacement::straight)
-    return geometry::bad_input("field-no-parameters", "field.spline needs parameters: set field.placement to \"box\" or \"cylinder\"");
+    return geometry::bad_input("field-no-parameters",
+                               "field.spline needs parameters: set field.placement to \"box\" or \"cylinder\"");
   if (options.basis.kind == BasisKind::half_open && options.basis.a >= 0.5)
-    return geometry::bad_input("field-basis-width", "field.a = " + geometry::short_text(options.basis.a) + " must lie below 0.5 for the half-open basis ([Huang2016] eq. 5)");
+    return geometry::bad_input("field-basis-width",
+                               "field.a = " + geometry::short_text(options.basis.a) +
+                                   " must lie below 0.5 for the half-open basis ([Huang2016] eq. 5)");
   return {};
 }
 
@@ -46,7 +50,8 @@ Result<void> check_options(const FieldOptions& options) {
 void measure_turning(const geometry::TriangleMesh& mesh, const std::vector<Vec3>& axes, MeshFieldReport& report) {
   double energy = 0.0, area = 0.0, turn = 0.0;
   for (const geometry::Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.vertices_mm[static_cast<std::size_t>(t[0])], &b = mesh.vertices_mm[static_cast<std::size_t>(t[1])],
+    const Vec3 &a = mesh.vertices_mm[static_cast<std::size_t>(t[0])],
+               &b = mesh.vertices_mm[static_cast<std::size_t>(t[1])],
                &c = mesh.vertices_mm[static_cast<std::size_t>(t[2])];
     const Vec3 cross = (b - a).cross(c - a);
     const double twice_area = cross.norm();
@@ -97,8 +102,10 @@ void measure_tilt(const geometry::TriangleMesh& mesh, const std::vector<Vec3>& a
 RadialBasis with_width(RadialBasis basis, const std::vector<FieldKey>& keys, const FieldMetric& metric) {
   if (basis.a > 0.0 || keys.empty()) return basis;
   const double spacing = spread(keys, metric) / std::sqrt(static_cast<double>(keys.size()));
-  if (basis.kind == BasisKind::half_open) basis.a = half_open_width;
-  else basis.a = basis.kind == BasisKind::gaussian ? 1.0 / (gaussian_spacings * spacing) : multiquadric_spacings * spacing;
+  if (basis.kind == BasisKind::half_open)
+    basis.a = half_open_width;
+  else
+    basis.a = basis.kind == BasisKind::gaussian ? 1.0 / (gaussian_spacings * spacing) : multiquadric_spacings * spacing;
   return basis;
 }
 
@@ -114,7 +121,8 @@ FieldPlace SurfaceField::place(const Vec3& point_P_mm) const {
   return result;
 }
 
-Result<SurfaceField> SurfaceField::fit(const geometry::TriangleMesh& mesh, const std::vector<PointKey>& keys, const FieldOptions& options) {
+Result<SurfaceField> SurfaceField::fit(const geometry::TriangleMesh& mesh, const std::vector<PointKey>& keys,
+                                       const FieldOptions& options) {
   if (auto good = check_options(options); !good) return tl::unexpected(good.error());
   SurfaceField field{RbfField{}, options.placement};
   Vec3 greatest = Vec3::Constant(-std::numeric_limits<double>::infinity());
@@ -135,7 +143,8 @@ Result<SurfaceField> SurfaceField::fit(const geometry::TriangleMesh& mesh, const
     // The grid holds unit axes: between far keys the raw interpolation is short, and a spline of it overshoots.
     const auto sample = [&field](const Vec2& uv) { return field.rbf_.axis({uv, Vec3::Zero()}).value_or(Vec3::Zero()); };
     const bool closed = options.placement == FieldPlacement::cylinder;
-    field.spline_.emplace(sample, FieldSplineOptions{options.u_intervals, options.v_intervals, closed, KnotRule::averaged});
+    field.spline_.emplace(sample,
+                          FieldSplineOptions{options.u_intervals, options.v_intervals, closed, KnotRule::averaged});
   }
   return field;
 }
@@ -149,7 +158,8 @@ std::optional<Vec3> SurfaceField::axis(const Vec3& point_P_mm) const {
   return value / length;
 }
 
-Result<MeshField> field_on_mesh(const geometry::TriangleMesh& mesh, const std::vector<PointKey>& keys, const FieldOptions& options) {
+Result<MeshField> field_on_mesh(const geometry::TriangleMesh& mesh, const std::vector<PointKey>& keys,
+                                const FieldOptions& options) {
   const auto field = SurfaceField::fit(mesh, keys, options);
   if (!field) return tl::unexpected(field.error());
   MeshField result;
@@ -157,8 +167,10 @@ Result<MeshField> field_on_mesh(const geometry::TriangleMesh& mesh, const std::v
     const auto axis = field->axis(mesh.vertices_mm[i]);
     if (!axis) {
       const Vec3& p = mesh.vertices_mm[i];
-      return geometry::bad_input("field-vanishes", "the field has no direction at vertex " + std::to_string(i) + " (" + geometry::short_text(p.x()) + ", " +
-                                                       geometry::short_text(p.y()) + ", " + geometry::short_text(p.z()) + "); add a key axis near it");
+      return geometry::bad_input("field-vanishes", "the field has no direction at vertex " + std::to_string(i) + " (" +
+                                                       geometry::short_text(p.x()) + ", " +
+                                                       geometry::short_text(p.y()) + ", " +
+                                                       geometry::short_text(p.z()) + "); add a key axis near it");
     }
     result.axes_P.push_back(*axis);
   }

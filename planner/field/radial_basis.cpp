@@ -8,7 +8,8 @@
 namespace volute::planner {
 
 double basis_value(const RadialBasis& basis, double distance) {
-  VOLUTE_CHECK(distance >= 0.0 && basis.a > 0.0 && basis.beta > 0.0 && basis.order >= 1, distance, basis.a, basis.beta, basis.order);
+  VOLUTE_CHECK(distance >= 0.0 && basis.a > 0.0 && basis.beta > 0.0 && basis.order >= 1, distance, basis.a, basis.beta,
+               basis.order);
   switch (basis.kind) {
     case BasisKind::gaussian:
       return std::exp(-(basis.a * distance) * (basis.a * distance));

@@ -16,7 +16,8 @@ struct RadialBasis {
   int order = 2;      ///< half_open: N of eq. 5. Departs from the source: g(1) = 1, where it prints g(a) = 1
 };
 
-/// phi(t). Requires: t >= 0, a > 0, beta > 0, order >= 1; half_open: a < 0.5, since t is measured round a closed direction of length 1.
+/// phi(t). Requires: t >= 0, a > 0, beta > 0, order >= 1; half_open: a < 0.5, since t is measured round a closed
+/// direction of length 1.
 double basis_value(const RadialBasis& basis, double distance);
 
 }  // namespace volute::planner

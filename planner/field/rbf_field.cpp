@@ -17,7 +17,8 @@ Result<void> check_apart(const std::vector<FieldKey>& keys, const FieldMetric& m
   for (std::size_t i = 0; i < keys.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (field_distance(metric, keys[i].place, keys[j].place) <= 0.0)
-        return geometry::bad_input("field-keys-coincide", "key " + std::to_string(j + 1) + " and key " + std::to_string(i + 1) +
+        return geometry::bad_input("field-keys-coincide", "key " + std::to_string(j + 1) + " and key " +
+                                                              std::to_string(i + 1) +
                                                               " stand at the same place; take one of them out");
   return {};
 }
@@ -47,15 +48,17 @@ Result<RbfField> RbfField::fit(std::vector<FieldKey> keys, const RadialBasis& ba
   for (Eigen::Index i = 0; i < count; ++i) {
     axes.row(i) = keys[static_cast<std::size_t>(i)].axis_P;
     for (Eigen::Index j = 0; j < count; ++j)
-      phi(i, j) = basis_value(basis, field_distance(metric, keys[static_cast<std::size_t>(i)].place, keys[static_cast<std::size_t>(j)].place));
+      phi(i, j) = basis_value(basis, field_distance(metric, keys[static_cast<std::size_t>(i)].place,
+                                                    keys[static_cast<std::size_t>(j)].place));
   }
   const Eigen::PartialPivLU<Eigen::MatrixXd> factor(phi);
   RbfField field;
   field.reciprocal_condition_ = factor.rcond();
   if (!(field.reciprocal_condition_ > least_reciprocal_condition))
-    return geometry::bad_input("field-singular", "the key axes' equations are singular (reciprocal condition " +
-                                                     geometry::short_text(field.reciprocal_condition_, 2) +
-                                                     "); give fewer keys, put them farther apart, or make the basis narrower");
+    return geometry::bad_input("field-singular",
+                               "the key axes' equations are singular (reciprocal condition " +
+                                   geometry::short_text(field.reciprocal_condition_, 2) +
+                                   "); give fewer keys, put them farther apart, or make the basis narrower");
   const Eigen::MatrixX3d solved = factor.solve(axes);
   for (Eigen::Index i = 0; i < count; ++i) field.coefficients_.emplace_back(solved.row(i));
   field.keys_ = std::move(keys);
@@ -66,7 +69,8 @@ Result<RbfField> RbfField::fit(std::vector<FieldKey> keys, const RadialBasis& ba
 
 Vec3 RbfField::raw(const FieldPlace& place) const {
   Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 0; i < keys_.size(); ++i) sum += basis_value(basis_, field_distance(metric_, keys_[i].place, place)) * coefficients_[i];
+  for (std::size_t i = 0; i < keys_.size(); ++i)
+    sum += basis_value(basis_, field_distance(metric_, keys_[i].place, place)) * coefficients_[i];
   return sum;
 }
 

@@ -22,9 +22,10 @@ struct FieldPlace {
 
 /// Which distance phi is taken of.
 enum class FieldDistance {
-  straight_mm,   ///< between the points in space: what a path on any mesh uses
-  parameters,    ///< in (u, v)
-  cylinder,      ///< on the cylinder round a half-open surface: v closed with period 1, u weighted ([Huang2016] section 2.2.2)
+  straight_mm,  ///< between the points in space: what a path on any mesh uses
+  parameters,   ///< in (u, v)
+  cylinder,     ///< on the cylinder round a half-open surface: v closed with period 1, u weighted ([Huang2016]
+                ///< section 2.2.2)
 };
 
 struct FieldMetric {
@@ -44,8 +45,8 @@ struct FieldKey {
 /// 2. Components are independent: turning all keys turns the field.
 class RbfField {
  public:
-  /// Errors (bad_input): field-no-keys; field-keys-coincide (names two keys whose distance is 0); field-singular (reciprocal condition below
-  /// 1e-14: fewer or farther keys, or a narrower basis).
+  /// Errors (bad_input): field-no-keys; field-keys-coincide (names two keys whose distance is 0); field-singular
+  /// (reciprocal condition below 1e-14: fewer or farther keys, or a narrower basis).
   static Result<RbfField> fit(std::vector<FieldKey> keys, const RadialBasis& basis, const FieldMetric& metric);
 
   /// The interpolation itself; not of unit length, and it can vanish.

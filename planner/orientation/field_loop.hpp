@@ -1,4 +1,5 @@
-// The loop of [Huang2016] Fig. 2 on a path: a field through key axes, checked, keys added where it is not allowed, until it is.
+// The loop of [Huang2016] Fig. 2 on a path: a field through key axes, checked, keys added where it is not allowed,
+// until it is.
 #pragma once
 
 #include <vector>
@@ -16,9 +17,10 @@ struct FieldLoopResult {
   bool allowed = false;  ///< every point is; motions between points are checked by the caller
 };
 
-/// Key axes: those of the options that have a point; `fixed` ones at stations; with none of either, the reference axis at stations evenly
-/// spaced. The distance is the straight one in mm. Errors (bad_input): those of RbfField::fit; orientation-field-vanishes.
-geometry::Result<FieldLoopResult> run_field_loop(const AllowedSet& allowed, const std::vector<Vec3>& reference, const std::vector<FixedPin>& fixed,
-                                                 const OrientationOptions& options);
+/// Key axes: those of the options that have a point; `fixed` ones at stations; with none of either, the reference axis
+/// at stations evenly spaced. The distance is the straight one in mm. Errors (bad_input): those of RbfField::fit;
+/// orientation-field-vanishes.
+geometry::Result<FieldLoopResult> run_field_loop(const AllowedSet& allowed, const std::vector<Vec3>& reference,
+                                                 const std::vector<FixedPin>& fixed, const OrientationOptions& options);
 
 }  // namespace volute::planner

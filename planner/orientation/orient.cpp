@@ -249,7 +249,8 @@ Result<OrientedPath> orient_by_pins(Orienting& work, const AllowedSet& allowed) 
 
 /// [Huang2016] Fig. 2: the axes follow a field through key axes, with keys added until every point is allowed.
 Result<OrientedPath> orient_by_field(Orienting& work, const AllowedSet& allowed) {
-  const auto loop = run_field_loop(allowed, reference_axes(allowed, reference_window_mm), user_pins(work), work.options);
+  const auto loop =
+      run_field_loop(allowed, reference_axes(allowed, reference_window_mm), user_pins(work), work.options);
   if (!loop) return tl::unexpected(loop.error());
   work.report.iterations = loop->iterations;
   work.report.solve_s = loop->solve_s;
@@ -258,8 +259,9 @@ Result<OrientedPath> orient_by_field(Orienting& work, const AllowedSet& allowed)
   const int touching = at.empty() ? 0 : count(check_path(allowed, at, false));
   if (at.empty() || touching > 0)
     return bad_input("orientation-not-converged",
-                     "the orientation field through " + std::to_string(loop->keys) + " key axes still touches or leaves the limits after " +
-                         std::to_string(loop->iterations) + " rounds; add keys near the obstacle, widen tilt_max_deg, or use smoothing = \"corridor\"");
+                     "the orientation field through " + std::to_string(loop->keys) +
+                         " key axes still touches or leaves the limits after " + std::to_string(loop->iterations) +
+                         " rounds; add keys near the obstacle, widen tilt_max_deg, or use smoothing = \"corridor\"");
   return finished(work, allowed, at, {});
 }
 

@@ -15,14 +15,17 @@
 namespace volute::planner {
 
 /// Peaks at programmed feed, before the control; rad/s, rad/s^2, rad/s^3.
-struct AxisMotionPeaks { double velocity_max = 0.0, acceleration_max = 0.0, jerk_max = 0.0, velocity_rms = 0.0, acceleration_rms = 0.0, jerk_rms = 0.0; };
+struct AxisMotionPeaks {
+  double velocity_max = 0.0, acceleration_max = 0.0, jerk_max = 0.0, velocity_rms = 0.0, acceleration_rms = 0.0,
+         jerk_rms = 0.0;
+};
 
 struct OrientationReport {
   std::string smoothing;
   int pins = 0, iterations = 0;
-  double solve_s = 0.0;   ///< the smoothing's linear algebra alone
-  int interferences_before = 0, interferences_after = 0;   ///< CC points (with the motion to the next) that touch
-  double neighbour_turn_max_rad = 0.0;                     ///< largest turn of the axis between neighbouring passes
+  double solve_s = 0.0;                                   ///< the smoothing's linear algebra alone
+  int interferences_before = 0, interferences_after = 0;  ///< CC points (with the motion to the next) that touch
+  double neighbour_turn_max_rad = 0.0;                    ///< largest turn of the axis between neighbouring passes
   char first_letter = 'A', second_letter = 'C';
   AxisMotionPeaks first, second;
   std::vector<std::string> notes;
@@ -35,8 +38,8 @@ struct OrientedPath {
   std::vector<int> pins;                            ///< indices of pinned points
 };
 
-/// Orients one piece. Errors (bad_input): orientation-none (names the CC points where no orientation is allowed and what blocks
-/// them), orientation-not-converged.
+/// Orients one piece. Errors (bad_input): orientation-none (names the CC points where no orientation is allowed and
+/// what blocks them), orientation-not-converged.
 Result<OrientedPath> orient(const CcPiece& piece, const kinematics::Tool& tool, const kinematics::Machine& machine,
                             const kinematics::Setup& setup, const Interference& interference,
                             const OrientationOptions& options, double feed_mm_s);

@@ -189,7 +189,7 @@ bool ValueReader::parameter(double& out) {
     if (!name(text)) return false;
     const auto found = parameters_.named(text);
     if (!found)
-      return diagnosis_.fault(column, "program-parameter", "parameter " + quoted(text) + " has no value here");
+      return diagnosis_.fault(column, "program-parameter", "parameter " + in_quotes(text) + " has no value here");
     out = *found;
     return true;
   }
@@ -277,7 +277,7 @@ bool ValueReader::apply(std::string_view name, std::size_t column, double argume
   else if (name == "TAN")
     out = std::tan(argument * rad_per_deg);
   else
-    return fault(column, quoted(name) + " is not a function that is known here");
+    return fault(column, in_quotes(name) + " is not a function that is known here");
   if (!std::isfinite(out))
     return fault(column, std::string(name) + " of " + geometry::short_text(argument) + " is not a finite number");
   return true;

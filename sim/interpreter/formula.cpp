@@ -146,7 +146,7 @@ bool Formula::function(double& out) {
   else if (name == "POT" || name == "SQ")
     out = x * x;
   else
-    return fault(column, quoted(name) + " is not a function that is known here");
+    return fault(column, in_quotes(name) + " is not a function that is known here");
   return std::isfinite(out) || fault(column, "the result of " + name + " is not a finite number");
 }
 

@@ -57,7 +57,8 @@ bool HeidenhainProgram::tcpm() {
       if (accept("TIP-TIP")) continue;
       return unknown(column, "REFPNT", "only TIP-TIP is read: X Y Z are those of the tool tip");
     } else {
-      return unknown(column, quoted(line_.substr(column)), "FUNCTION TCPM takes F TCP, AXIS POS, PATHCTRL and REFPNT");
+      return unknown(column, in_quotes(line_.substr(column)),
+                     "FUNCTION TCPM takes F TCP, AXIS POS, PATHCTRL and REFPNT");
     }
   }
   return set_tcp(true, start);

@@ -55,7 +55,7 @@ bool HeidenhainProgram::statement() {
   if ((first == 'M' || first == 'm') && next >= '0' && next <= '9') return words(true) && finish_block();
   const std::size_t column = at_;
   const std::string text = name();
-  return unknown(column, text.empty() ? quoted(line_.substr(column, 1)) : text,
+  return unknown(column, text.empty() ? in_quotes(line_.substr(column, 1)) : text,
                  "this block is not known to the simulator's Heidenhain dialect");
 }
 
@@ -240,7 +240,7 @@ bool HeidenhainProgram::tool_call() {
     if (text == "Z") continue;
     double value = 0.0;
     if (text != "S" && text != "F" && text != "DL" && text != "DR")
-      return unknown(word_column, text.empty() ? quoted(line_.substr(word_column, 1)) : text,
+      return unknown(word_column, text.empty() ? in_quotes(line_.substr(word_column, 1)) : text,
                      "TOOL CALL takes the tool, Z, S, F, DL and DR");
     if (!number(value)) return false;
     if ((text == "DL" || text == "DR") && value != 0.0)

@@ -64,7 +64,7 @@ bool HeidenhainProgram::integer(std::int64_t& out, std::int64_t least, std::int6
 }
 
 bool HeidenhainProgram::expect_end() {
-  return at_end() || fault(at_, "program-unknown-word", quoted(line_.substr(at_)) + " has no meaning here");
+  return at_end() || fault(at_, "program-unknown-word", in_quotes(line_.substr(at_)) + " has no meaning here");
 }
 
 bool HeidenhainProgram::words(bool straight) {
@@ -76,7 +76,7 @@ bool HeidenhainProgram::words(bool straight) {
 bool HeidenhainProgram::word(bool straight) {
   const std::size_t column = at_;
   if (!letter(line_[at_]))
-    return fault(column, "program-syntax", quoted(line_.substr(at_, 1)) + " does not begin a word");
+    return fault(column, "program-syntax", in_quotes(line_.substr(at_, 1)) + " does not begin a word");
   // One letter with a number behind it is by far the most frequent word.
   const char first = upper(line_[at_]);
   if (at_ + 1 < line_.size() && !letter(line_[at_ + 1])) {

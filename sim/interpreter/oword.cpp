@@ -65,7 +65,7 @@ bool OwordFlow::loop(std::string_view line, const Line& word) {
   if (keyword == "repeat") return begin_repeat(line, word);
   if (keyword == "endwhile" || keyword == "endrepeat") return end_loop(word);
   if (keyword == "break" || keyword == "continue") return leave_loop(word);
-  return fault("the O-word " + quoted(keyword) +
+  return fault("the O-word " + in_quotes(keyword) +
                " is not known; sub, call, return, if, while, do, repeat, break, continue are");
 }
 

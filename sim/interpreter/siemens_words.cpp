@@ -35,7 +35,8 @@ bool SiemensProgram::words(std::string_view line, std::size_t at) {
 
 bool SiemensProgram::word(std::string_view line, std::size_t& at) {
   const std::size_t column = at;
-  if (!letter(line[at])) return fault(column, "program-syntax", quoted(line.substr(at, 1)) + " does not begin a word");
+  if (!letter(line[at]))
+    return fault(column, "program-syntax", in_quotes(line.substr(at, 1)) + " does not begin a word");
   // A single letter with a number (X10, G1, R1 = ...), or a name (TRAORI, CR=, CYCLE832(...), A3=).
   std::size_t end = at + 1;
   const bool short_address = end >= line.size() || !letter(line[end]);
@@ -53,7 +54,7 @@ bool SiemensProgram::word(std::string_view line, std::size_t& at) {
     bool point = false;
     const auto value = read_plain_number(line, number_at, point);
     if (!value)
-      return fault(column, "program-syntax", "the number is missing behind " + quoted(line.substr(column, 1)));
+      return fault(column, "program-syntax", "the number is missing behind " + in_quotes(line.substr(column, 1)));
     at = number_at;
     return address(upper(line[column]), *value, column);
   }

@@ -21,7 +21,7 @@ void Diagnosis::warn_once(std::string_view key, const std::string& text) {
   warnings_.push_back(source_.file_name() + ":" + std::to_string(source_.line()) + ": " + text);
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string out = "\"";
   for (const char c : text.substr(0, longest)) out += (c >= ' ' && c <= '~') ? c : '?';

@@ -76,6 +76,6 @@ class Diagnosis {
 };
 
 /// A bounded copy of a piece of program text for a message: control characters shown as '?', at most 40 characters.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 }  // namespace volute::sim

@@ -73,7 +73,7 @@ bool WordLexer::word(std::string_view line, std::size_t& at, Block& block) {
   const std::size_t column = at;
   char c = line[at];
   if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  if (c < 'A' || c > 'Z') return fault(column, quoted(line.substr(at, 1)) + " does not begin a word");
+  if (c < 'A' || c > 'Z') return fault(column, in_quotes(line.substr(at, 1)) + " does not begin a word");
   ++at;
   while (at < line.size() && blank(line[at])) ++at;
   bool point = false;
@@ -83,7 +83,7 @@ bool WordLexer::word(std::string_view line, std::size_t& at, Block& block) {
     std::size_t next = at;
     while (next < line.size() && blank(line[next])) ++next;
     if (next < line.size() && (digit(line[next]) || line[next] == '.'))
-      return fault(next, "the number of " + quoted(line.substr(column, next + 1 - column)) + " is broken");
+      return fault(next, "the number of " + in_quotes(line.substr(column, next + 1 - column)) + " is broken");
   } else if (at < line.size() && (line[at] == '#' || line[at] == '[' || line[at] == '-' || line[at] == '+' ||
                                   (style_.linuxcnc && line[at] != '(' && line[at] != ';'))) {
     ValueReader reader = values(line, at);
@@ -91,7 +91,7 @@ bool WordLexer::word(std::string_view line, std::size_t& at, Block& block) {
     at = reader.at();
     point = true;
   } else {
-    return fault(column, "the number is missing behind " + quoted(line.substr(column, 1)));
+    return fault(column, "the number is missing behind " + in_quotes(line.substr(column, 1)));
   }
   if (c == 'G' || c == 'M') return code({0, static_cast<std::uint32_t>(column)}, value, c == 'G', block);
   const std::size_t i = Block::index(c);

@@ -25,8 +25,8 @@ class Stock {
 
   [[nodiscard]] double volume_mm3() const;
 
-  /// Cuts along the moves between the poses (the first pose cuts where it stands) and returns the volume that each pose's
-  /// move removed, mm3; poses closer together than the tolerance needs count with the next one that is farther.
+  /// Cuts along the moves between the poses (the first pose cuts where it stands) and returns the volume that each
+  /// pose's move removed, mm3; poses closer together than the tolerance needs count with the next one that is farther.
   /// `tolerance_mm`: greatest cusp between places and chord of what is passed over.
   std::vector<double> cut(const kinematics::Cutter& cutter, std::span<const SweptPose> poses, double tolerance_mm);
 

@@ -16,7 +16,11 @@ void expect_refused(const Outcome& outcome, const std::string& named) {
   EXPECT_NE(outcome.err.find(named), std::string::npos) << outcome.err;
 }
 
-struct BadJob { const char* name; std::string text; const char* named; };
+struct BadJob {
+  const char* name;
+  std::string text;
+  const char* named;
+};
 
 class BadJobs : public testing::TestWithParam<BadJob> {};
 
@@ -36,19 +40,24 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 INSTANTIATE_TEST_SUITE_P(
     All, BadJobs,
-    testing::Values(BadJob{"syntax", "[part\n", "job.toml:1"}, BadJob{"unknown_key", plate_job("feed = 3\n"), "feed"},
-                    BadJob{"unknown_section", plate_job("[paht]\nscallop_mm = 1\n"), "paht"},
-                    BadJob{"negative_radius", replaced(plate_job(), "radius_mm = 3", "radius_mm = -3"), "tool.radius_mm"},
-                    BadJob{"scallop_over_radius", replaced(plate_job(), "scallop_mm = 0.2", "scallop_mm = 5"), "path.scallop_mm"},
-                    BadJob{"method", replaced(plate_job(), "even", "evn"), "even, periodic, paper"},
-                    BadJob{"surface_missing", replaced(plate_job(), "plate.stl", "plaet.stl"), "plaet.stl"},
-                    BadJob{"profile", replaced(plate_job(), "ac-head-fanuc", "ac-head-fanux"), "ac-head-fanux"},
-                    BadJob{"nan", replaced(plate_job(), "radius_mm = 3", "radius_mm = nan"), "tool.radius_mm"},
-                    BadJob{"holder", plate_job("[holder]\nsegments = [[20, 20]]\n"), "holder.segments"},
-                    BadJob{"no_feed", replaced(plate_job(), "feed_mm_min = 600", ""), "feed_mm_min"}),
+    testing::Values(
+        BadJob{"syntax", "[part\n", "job.toml:1"}, BadJob{"unknown_key", plate_job("feed = 3\n"), "feed"},
+        BadJob{"unknown_section", plate_job("[paht]\nscallop_mm = 1\n"), "paht"},
+        BadJob{"negative_radius", replaced(plate_job(), "radius_mm = 3", "radius_mm = -3"), "tool.radius_mm"},
+        BadJob{"scallop_over_radius", replaced(plate_job(), "scallop_mm = 0.2", "scallop_mm = 5"), "path.scallop_mm"},
+        BadJob{"method", replaced(plate_job(), "even", "evn"), "even, periodic, paper"},
+        BadJob{"surface_missing", replaced(plate_job(), "plate.stl", "plaet.stl"), "plaet.stl"},
+        BadJob{"profile", replaced(plate_job(), "ac-head-fanuc", "ac-head-fanux"), "ac-head-fanux"},
+        BadJob{"nan", replaced(plate_job(), "radius_mm = 3", "radius_mm = nan"), "tool.radius_mm"},
+        BadJob{"holder", plate_job("[holder]\nsegments = [[20, 20]]\n"), "holder.segments"},
+        BadJob{"no_feed", replaced(plate_job(), "feed_mm_min = 600", ""), "feed_mm_min"}),
     [](const testing::TestParamInfo<BadJob>& row) { return row.param.name; });
 
-struct BadMesh { const char* name; std::string bytes; const char* named; };
+struct BadMesh {
+  const char* name;
+  std::string bytes;
+  const char* named;
+};
 
 class BadMeshes : public testing::TestWithParam<BadMesh> {};
 
@@ -71,13 +80,15 @@ std::string with_flipped_bit(std::string bytes, std::size_t byte, int bit) {
   return bytes;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BadMeshes,
-                         testing::Values(BadMesh{"empty", "", "empty"}, BadMesh{"truncated", plate_stl(10, 10).substr(0, 3000), "plate.stl"},
-                                         BadMesh{"giant_claim", giant_claim(), "200000000"},
-                                         BadMesh{"count_bit_flipped", with_flipped_bit(plate_stl(10, 10), 82, 3), "plate.stl"},
-                                         BadMesh{"exponent_bit_flipped", with_flipped_bit(plate_stl(10, 10), 84 + 50 * 7 + 12 + 3, 6), "plate.stl"},
-                                         BadMesh{"not_a_mesh", "hello, this is a letter\n", "plate.stl"}),
-                         [](const testing::TestParamInfo<BadMesh>& row) { return row.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    All, BadMeshes,
+    testing::Values(BadMesh{"empty", "", "empty"}, BadMesh{"truncated", plate_stl(10, 10).substr(0, 3000), "plate.stl"},
+                    BadMesh{"giant_claim", giant_claim(), "200000000"},
+                    BadMesh{"count_bit_flipped", with_flipped_bit(plate_stl(10, 10), 82, 3), "plate.stl"},
+                    BadMesh{"exponent_bit_flipped", with_flipped_bit(plate_stl(10, 10), 84 + 50 * 7 + 12 + 3, 6),
+                            "plate.stl"},
+                    BadMesh{"not_a_mesh", "hello, this is a letter\n", "plate.stl"}),
+    [](const testing::TestParamInfo<BadMesh>& row) { return row.param.name; });
 
 }  // namespace
 }  // namespace volute::app_test

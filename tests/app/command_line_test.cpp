@@ -14,14 +14,16 @@ TEST(CommandLine, HelpTeachesAndIsClean) {
   const auto folder = scratch_folder("help");
   const Outcome help = run_volute("--help", folder);
   EXPECT_EQ(help.status, 0);
-  for (const char* word : {"run", "plan", "post", "simulate", "compare", "field", "inspect", "machines", "render", "Exit status"})
+  for (const char* word :
+       {"run", "plan", "post", "simulate", "compare", "field", "inspect", "machines", "render", "Exit status"})
     EXPECT_NE(help.out.find(word), std::string::npos) << word;
   EXPECT_NE(run_volute("run --help", folder).out.find("Example"), std::string::npos);
 }
 
 TEST(CommandLine, BadUsageIsStatusTwoAndOneLine) {
   const auto folder = scratch_folder("usage");
-  for (const char* words : {"", "polish part.stl", "run", "run a.toml --colour red", "inspect", "simulate p.nc", "run a.toml --threads 0"}) {
+  for (const char* words : {"", "polish part.stl", "run", "run a.toml --colour red", "inspect", "simulate p.nc",
+                            "run a.toml --threads 0"}) {
     const Outcome outcome = run_volute(words, folder);
     EXPECT_EQ(outcome.status, 2) << words;
     EXPECT_EQ(lines_in(outcome.err), 1) << words << "\n" << outcome.err;

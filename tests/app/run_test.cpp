@@ -33,14 +33,16 @@ TEST(Run, PlateGivesAProgramThatPasses) {
   const Outcome outcome = run_volute("run plate.toml --out out --json", folder);
   ASSERT_EQ(outcome.status, 0) << outcome.err << outcome.out;
   const Json report = Json::parse(outcome.out);
-  for (const char* key : {"program", "surface", "path", "orientation", "run", "machining", "collision", "findings", "timing"})
+  for (const char* key :
+       {"program", "surface", "path", "orientation", "run", "machining", "collision", "findings", "timing"})
     EXPECT_TRUE(report.contains(key)) << key;
   EXPECT_EQ(report["path"]["rapid_traversals"], 0);
   EXPECT_EQ(report["path"]["pieces"], 1);
   EXPECT_TRUE(report["findings"].empty());
   EXPECT_LE(report["machining"]["scallop_p99_mm"].get<double>(), 0.2 * 1.05);
   EXPECT_FALSE(report["machining"]["uncut"].get<bool>());
-  for (const auto& [letter, axis] : report["run"]["axes"].items()) EXPECT_LE(axis["limit_ratio_max"].get<double>(), 1.0 + 1e-9) << letter;
+  for (const auto& [letter, axis] : report["run"]["axes"].items())
+    EXPECT_LE(axis["limit_ratio_max"].get<double>(), 1.0 + 1e-9) << letter;
   EXPECT_NEAR(report["run"]["programmed_feed_mm_min"].get<double>(), 600.0, 1.0);
   for (const char* name : {"plate.nc", "toolpath.cls", "plan.json", "report.json", "report.html", "path.png"})
     EXPECT_GT(fs::file_size(folder / "out" / name), 100U) << name;
@@ -55,8 +57,10 @@ TEST(Run, SameJobGivesTheSameBytesOnOneThreadAndTwo) {
   for (const auto& entry : fs::directory_iterator(folder / "one")) names.insert(entry.path().filename());
   EXPECT_GE(names.size(), 6U);
   for (const std::string& name : names) {
-    if (name == "report.json" || name == "plan.json") EXPECT_EQ(without_timing(folder / "one" / name), without_timing(folder / "two" / name));
-    else EXPECT_EQ(text_of(folder / "one" / name), text_of(folder / "two" / name)) << name;
+    if (name == "report.json" || name == "plan.json")
+      EXPECT_EQ(without_timing(folder / "one" / name), without_timing(folder / "two" / name));
+    else
+      EXPECT_EQ(text_of(folder / "one" / name), text_of(folder / "two" / name)) << name;
   }
 }
 
@@ -71,7 +75,8 @@ TEST(Run, WhatFailsKeepsRejectedInItsName) {
   const double z = std::stod(program.substr(at + 2, end - at - 2));
   program.replace(at + 2, end - at - 2, std::to_string(z - 0.5));
   write_text(folder / "sunk.nc", program);
-  const Outcome judged = run_volute("simulate sunk.nc --machine ac-head-fanuc --part plate.stl --cutter ball,3 --out judged --json", folder);
+  const Outcome judged = run_volute(
+      "simulate sunk.nc --machine ac-head-fanuc --part plate.stl --cutter ball,3 --out judged --json", folder);
   EXPECT_EQ(judged.status, 1) << judged.err;
   const Json report = Json::parse(judged.out);
   ASSERT_FALSE(report["findings"].empty());
@@ -83,10 +88,14 @@ TEST(Run, WhatFailsKeepsRejectedInItsName) {
 TEST(Run, PlanPostAndSimulateAgreeWithRun) {
   const auto folder = plate_folder("steps");
   ASSERT_EQ(run_volute("plan plate.toml --out planned --quiet", folder).status, 0);
-  const Outcome posted = run_volute("post planned/toolpath.cls --machine ac-head-linuxcnc --out plate.ngc --json", folder);
+  const Outcome posted =
+      run_volute("post planned/toolpath.cls --machine ac-head-linuxcnc --out plate.ngc --json", folder);
   ASSERT_EQ(posted.status, 0) << posted.err;
   EXPECT_GT(Json::parse(posted.out)["blocks"].get<int>(), 100);
-  const Outcome judged = run_volute("simulate plate.ngc --machine ac-head-linuxcnc --part plate.stl --cutter ball,3 --tool-length 98 --scallop 0.22 --json --out sim", folder);
+  const Outcome judged = run_volute(
+      "simulate plate.ngc --machine ac-head-linuxcnc --part plate.stl --cutter ball,3 --tool-length 98 --scallop 0.22 "
+      "--json --out sim",
+      folder);
   const Json report = Json::parse(judged.out);
   EXPECT_GT(report["run"]["cycle_time_s"].get<double>(), 1.0) << judged.err;
 }

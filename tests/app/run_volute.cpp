@@ -31,7 +31,8 @@ fs::path scratch_folder(const std::string& name) {
 
 Outcome run_volute(const std::string& words, const fs::path& folder) {
   const fs::path out = folder / ".stdout", err = folder / ".stderr";
-  const std::string command = "cd '" + folder.string() + "' && '" VOLUTE_BINARY_DIR "/volute' " + words + " > '" + out.string() + "' 2> '" + err.string() + "'";
+  const std::string command = "cd '" + folder.string() + "' && '" VOLUTE_BINARY_DIR "/volute' " + words + " > '" +
+                              out.string() + "' 2> '" + err.string() + "'";
   const int raw = std::system(command.c_str());
   return {WIFEXITED(raw) ? WEXITSTATUS(raw) : 128, text_of(out), text_of(err)};
 }
@@ -39,7 +40,9 @@ Outcome run_volute(const std::string& words, const fs::path& folder) {
 std::string plate_stl(double half_mm, int cells) {
   std::vector<std::array<float, 9>> faces;
   const double step = 2.0 * half_mm / cells;
-  const auto corner = [&](int i, int j) { return std::array<float, 3>{static_cast<float>(-half_mm + i * step), static_cast<float>(-half_mm + j * step), 0.0F}; };
+  const auto corner = [&](int i, int j) {
+    return std::array<float, 3>{static_cast<float>(-half_mm + i * step), static_cast<float>(-half_mm + j * step), 0.0F};
+  };
   const auto add = [&](const std::array<float, 3>& a, const std::array<float, 3>& b, const std::array<float, 3>& c) {
     faces.push_back({a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]});
   };
@@ -63,7 +66,8 @@ std::string plate_stl(double half_mm, int cells) {
 }
 
 std::string plate_job(const std::string& extra) {
-  return "[part]\nsurface = \"plate.stl\"\n[tool]\nshape = \"ball\"\nradius_mm = 3\n[path]\nscallop_mm = 0.2\nmethod = \"even\"\n"
+  return "[part]\nsurface = \"plate.stl\"\n[tool]\nshape = \"ball\"\nradius_mm = 3\n[path]\nscallop_mm = 0.2\nmethod = "
+         "\"even\"\n"
          "[process]\nfeed_mm_min = 600\n[machine]\nprofile = \"ac-head-fanuc\"\n" +
          extra;
 }

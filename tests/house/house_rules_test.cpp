@@ -29,19 +29,22 @@ std::vector<fs::path> sources_of(const std::vector<std::string>& folders) {
 }
 
 TEST(HouseRules, EveryFolderSaysWhatItIsFor) {
-  for (const char* folder : {"geometry", "kinematics", "kinematics/model", "kinematics/inverse", "planner", "planner/surface", "planner/path",
-                             "planner/orientation", "post", "sim", "sim/interpreter", "sim/controller", "sim/machining", "view", "app",
-                             "machines", "examples", "tests", "bench"})
+  for (const char* folder :
+       {"geometry", "kinematics", "kinematics/model", "kinematics/inverse", "planner", "planner/surface",
+        "planner/path", "planner/orientation", "post", "sim", "sim/interpreter", "sim/controller", "sim/machining",
+        "view", "app", "machines", "examples", "tests", "bench"})
     EXPECT_TRUE(fs::exists(root / folder / "README.md")) << folder << " has no README.md";
 }
 
 /// Locale-dependent or exponent-prone ways from numbers to text; VOLUTE_CHECK's own stream is the only exception.
 TEST(HouseRules, NumbersBecomeTextOnlyByNumberText) {
   for (const fs::path& file : sources_of(library_folders)) {
-    if (file.filename() == "check.hpp" || file.filename() == "number_text.cpp" || file.filename() == "number_text.hpp") continue;
+    if (file.filename() == "check.hpp" || file.filename() == "number_text.cpp" || file.filename() == "number_text.hpp")
+      continue;
     const std::string text = text_of(file);
     for (const char* word : {"std::stod", "strtod", "sscanf", "snprintf", "sprintf", "atof(", "setprecision"})
-      EXPECT_EQ(text.find(word), std::string::npos) << fs::relative(file, root) << " uses " << word << "; use geometry/number_text.hpp";
+      EXPECT_EQ(text.find(word), std::string::npos)
+          << fs::relative(file, root) << " uses " << word << "; use geometry/number_text.hpp";
   }
 }
 

@@ -61,7 +61,8 @@ TEST(IncludeDirection, EveryIncludeGoesDownward) {
     for (const fs::path& source : sources_below(root / folder))
       for (const std::string& included : project_includes(source)) {
         ++includes;
-        EXPECT_TRUE(may_include(folder, included)) << fs::relative(source, root) << " includes " << included << ", which " << folder << " may not";
+        EXPECT_TRUE(may_include(folder, included))
+            << fs::relative(source, root) << " includes " << included << ", which " << folder << " may not";
       }
   EXPECT_GT(includes, 100U) << "the check read almost nothing: is VOLUTE_SOURCE_DIR right?";
 }

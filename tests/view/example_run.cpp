@@ -19,7 +19,9 @@ constexpr int header_lines = 6;
 
 double height(double x, double y) { return 3.0 * std::sin(x / 9.0) * std::cos(y / 11.0); }
 Vec3 normal(double x, double y) {
-  return Vec3(-3.0 / 9.0 * std::cos(x / 9.0) * std::cos(y / 11.0), 3.0 / 11.0 * std::sin(x / 9.0) * std::sin(y / 11.0), 1.0).normalized();
+  return Vec3(-3.0 / 9.0 * std::cos(x / 9.0) * std::cos(y / 11.0), 3.0 / 11.0 * std::sin(x / 9.0) * std::sin(y / 11.0),
+              1.0)
+      .normalized();
 }
 
 geometry::TriangleMesh disc(int rings) {
@@ -44,7 +46,8 @@ geometry::TriangleMesh disc(int rings) {
 geometry::TriangleMesh post() {
   geometry::TriangleMesh mesh;
   for (int k = 0; k < 8; ++k) mesh.vertices_mm.emplace_back(28 + 6 * (k & 1), 20 + 3 * (k & 2), -4 + 7 * (k & 4) / 1.0);
-  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   return mesh;
 }
 
@@ -70,7 +73,8 @@ kinematics::ToolPathPoint path_point(double share, double turns) {
   return point;
 }
 
-/// Axes of the A/C head for a pose: axis = (sin C sin A, -cos C sin A, cos A) [Sun2016] eq. 22, `near_C` picks the turn.
+/// Axes of the A/C head for a pose: axis = (sin C sin A, -cos C sin A, cos A) [Sun2016] eq. 22, `near_C` picks the
+/// turn.
 AxisVector axes_of(const RunView& view, const kinematics::ToolPose& pose, double near_C) {
   AxisVector q = AxisVector::Zero();
   const Vec3& axis = pose.axis_P;
@@ -107,9 +111,12 @@ void add_samples(RunView& view, const ExampleSize& size, double turns) {
 void add_derivatives(RunView& view, const ExampleSize& size) {
   auto& samples = view.trace.samples;
   const double step_s = samples[1].time_s;
-  for (std::size_t i = 1; i < samples.size(); ++i) samples[i].velocity = (samples[i].position - samples[i - 1].position) / step_s;
-  for (std::size_t i = 2; i < samples.size(); ++i) samples[i].acceleration = (samples[i].velocity - samples[i - 1].velocity) / step_s;
-  for (std::size_t i = 3; i < samples.size(); ++i) samples[i].jerk = (samples[i].acceleration - samples[i - 1].acceleration) / step_s;
+  for (std::size_t i = 1; i < samples.size(); ++i)
+    samples[i].velocity = (samples[i].position - samples[i - 1].position) / step_s;
+  for (std::size_t i = 2; i < samples.size(); ++i)
+    samples[i].acceleration = (samples[i].velocity - samples[i - 1].velocity) / step_s;
+  for (std::size_t i = 3; i < samples.size(); ++i)
+    samples[i].jerk = (samples[i].acceleration - samples[i - 1].acceleration) / step_s;
   auto& spike = samples[static_cast<std::size_t>(spike_sample(size))];
   const int A = view.profile->machine.axis_index('A');
   spike.velocity[A] = spike_velocity_rad_s;
@@ -169,12 +176,14 @@ RunView example_run(const ExampleSize& size) {
   const auto profile = kinematics::load_profile(VOLUTE_SOURCE_DIR "/machines", "ac-head-fanuc");
   VOLUTE_CHECK(profile.has_value(), profile ? "" : profile.error().message);
   view.profile = *profile;
-  for (int i = 0; i < size.blocks; ++i) view.tool_path.points.push_back(path_point(static_cast<double>(i) / size.blocks, turns));
+  for (int i = 0; i < size.blocks; ++i)
+    view.tool_path.points.push_back(path_point(static_cast<double>(i) / size.blocks, turns));
   add_samples(view, size, turns);
   add_derivatives(view, size);
   view.cut = cut(view.surface_P);
   const std::int64_t hit = line_of_sample(size, size.samples / 2);
-  view.findings = {{"collision", hit, view.trace.samples[static_cast<std::size_t>(size.samples / 2)].time_s, "holder-post", 0.5, 0.0,
+  view.findings = {{"collision", hit, view.trace.samples[static_cast<std::size_t>(size.samples / 2)].time_s,
+                    "holder-post", 0.5, 0.0,
                     "line " + std::to_string(hit) + ": holder-post meet (0.5 mm deep) </script><b>"}};
   view.report_json = report_text;
   view.program_name = "example.nc";

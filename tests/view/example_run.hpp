@@ -1,5 +1,5 @@
-// A run made from formulas, for pictures and pages: a wavy disc with a hole, a spiral over it, a machine with two rotaries in the head,
-// one spike in the speed of A, one collision. No planner, no simulator.
+// A run made from formulas, for pictures and pages: a wavy disc with a hole, a spiral over it, a machine with two
+// rotaries in the head, one spike in the speed of A, one collision. No planner, no simulator.
 #pragma once
 
 #include "view/run_view.hpp"

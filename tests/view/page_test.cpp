@@ -31,11 +31,13 @@ std::vector<std::int64_t> steps_of(const std::string& bytes, std::size_t column_
   std::vector<std::int64_t> out(count);
   for (std::size_t i = 0; i < count; ++i) {
     std::uint32_t coded = 0;
-    for (std::size_t plane = 4; plane-- > 0;) coded = coded * 256U + static_cast<std::uint8_t>(bytes[column_start + plane * count + i]);
+    for (std::size_t plane = 4; plane-- > 0;)
+      coded = coded * 256U + static_cast<std::uint8_t>(bytes[column_start + plane * count + i]);
     out[i] = coded % 2 == 0 ? static_cast<std::int64_t>(coded / 2) : -static_cast<std::int64_t>(coded / 2) - 1;
   }
   for (int pass = 0; pass < order; ++pass)
-    for (std::size_t i = 1; i < count; ++i) out[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(out[i] + out[i - 1]));
+    for (std::size_t i = 1; i < count; ++i)
+      out[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(out[i] + out[i - 1]));
   return out;
 }
 
@@ -51,7 +53,8 @@ TEST(PackedData, ValuesComeBackWithinHalfAStep) {
   const std::size_t header = static_cast<std::uint8_t>(bytes[0]) + 256U * static_cast<std::uint8_t>(bytes[1]);
   const std::size_t at = bytes.find("\"order\":") + 8;
   const auto steps = steps_of(bytes, 4 + header, values.size(), bytes[at] - '0');
-  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(static_cast<double>(steps[i]) * 0.01, values[i], 0.005 + 1e-9) << "seed " << seed << " i " << i;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    EXPECT_NEAR(static_cast<double>(steps[i]) * 0.01, values[i], 0.005 + 1e-9) << "seed " << seed << " i " << i;
 }
 
 TEST(PackedData, ASteadyLineCostsAlmostNothing) {
@@ -70,8 +73,13 @@ TEST(Zlib, ComesBack) {
 }
 
 TEST(Base64, VectorsOfRfc4648) {
-  const std::vector<std::pair<std::string, std::string>> vectors{{"", ""},           {"f", "Zg=="},         {"fo", "Zm8="},        {"foo", "Zm9v"},
-                                                                 {"foob", "Zm9vYg=="}, {"fooba", "Zm9vYmE="}, {"foobar", "Zm9vYmFy"}};
+  const std::vector<std::pair<std::string, std::string>> vectors{{"", ""},
+                                                                 {"f", "Zg=="},
+                                                                 {"fo", "Zm8="},
+                                                                 {"foo", "Zm9v"},
+                                                                 {"foob", "Zm9vYg=="},
+                                                                 {"fooba", "Zm9vYmE="},
+                                                                 {"foobar", "Zm9vYmFy"}};
   for (const auto& [plain, coded] : vectors) EXPECT_EQ(base64_text(plain), coded);
 }
 

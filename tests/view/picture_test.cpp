@@ -15,7 +15,8 @@ geometry::TriangleMesh square_mm(double half) {
 }
 
 std::array<int, 3> rgb_at(const Image& image, int x, int y) {
-  const std::size_t at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) * 4;
+  const std::size_t at =
+      (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) * 4;
   return {image.bgra[at + 2], image.bgra[at + 1], image.bgra[at]};
 }
 

@@ -33,7 +33,9 @@ TEST(Plot, ThinningKeepsAPeakOfOneSample) {
 TEST(Plot, NearLimitIsDrawnAndAFarOneIsNot) {
   const std::string svg = svg_text(spike_plot(100));
   std::size_t dashed = 0;
-  for (std::size_t at = svg.find("stroke-dasharray"); at != std::string::npos; at = svg.find("stroke-dasharray", at + 1)) ++dashed;
+  for (std::size_t at = svg.find("stroke-dasharray"); at != std::string::npos;
+       at = svg.find("stroke-dasharray", at + 1))
+    ++dashed;
   EXPECT_EQ(dashed, 1U) << "60 is near the curve's 50, 1000 is not";
 }
 

@@ -17,7 +17,8 @@ constexpr ExampleSize small{600, 200, 20};
 
 RunView example_with_map() {
   RunView view = example_run(small);
-  for (const geometry::Vec3& vertex : view.surface_P.vertices_mm) view.map_vertices.emplace_back(vertex.x(), vertex.y());
+  for (const geometry::Vec3& vertex : view.surface_P.vertices_mm)
+    view.map_vertices.emplace_back(vertex.x(), vertex.y());
   view.map_triangles = view.surface_P.triangles;
   view.map_guide_lines = {{{-20, 0}, {20, 0}}};
   return view;
@@ -26,13 +27,15 @@ RunView example_with_map() {
 /// Share of the pixels that are not white.
 double drawn_share(const Image& image) {
   std::size_t drawn = 0;
-  for (std::size_t i = 0; i < image.bgra.size(); i += 4) drawn += image.bgra[i] < 250 || image.bgra[i + 1] < 250 || image.bgra[i + 2] < 250 ? 1 : 0;
+  for (std::size_t i = 0; i < image.bgra.size(); i += 4)
+    drawn += image.bgra[i] < 250 || image.bgra[i + 1] < 250 || image.bgra[i + 2] < 250 ? 1 : 0;
   return static_cast<double>(drawn) / (static_cast<double>(image.bgra.size()) / 4.0);
 }
 
 std::size_t different_pixels(const Image& a, const Image& b) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < a.bgra.size(); i += 4) count += !std::equal(&a.bgra[i], &a.bgra[i] + 3, &b.bgra[i]) ? 1 : 0;
+  for (std::size_t i = 0; i < a.bgra.size(); i += 4)
+    count += !std::equal(&a.bgra[i], &a.bgra[i] + 3, &b.bgra[i]) ? 1 : 0;
   return count;
 }
 
@@ -43,8 +46,9 @@ TEST(RunPictures, AWholeRunHasThemAll) {
   const auto written = write_pictures(example_with_map(), folder);
   ASSERT_TRUE(written) << written.error().message;
   const std::set<std::string> names(written->begin(), written->end());
-  for (const char* name : {"path.png", "path-feed.png", "path-limit.png", "path-tilt.png", "orientation.png", "map.png", "machined.png", "machine.png",
-                           "machine-close.png", "rotary-axes.svg", "linear-axes.svg", "feed.svg", "path.svg", "loads.svg", "deviation.svg"}) {
+  for (const char* name : {"path.png", "path-feed.png", "path-limit.png", "path-tilt.png", "orientation.png", "map.png",
+                           "machined.png", "machine.png", "machine-close.png", "rotary-axes.svg", "linear-axes.svg",
+                           "feed.svg", "path.svg", "loads.svg", "deviation.svg"}) {
     EXPECT_TRUE(names.contains(name)) << name;
     EXPECT_GT(fs::file_size(folder / name), 2000U) << name;
   }
@@ -69,7 +73,8 @@ TEST(RunPictures, AForeignProgramHasThoseOfItsRun) {
 
 TEST(RunPictures, TheMachineMovesWithTime) {
   const RunView view = example_run(small);
-  const auto early = machine_picture(view, 1.0, true), late = machine_picture(view, 60.0, true), again = machine_picture(view, 60.0, true);
+  const auto early = machine_picture(view, 1.0, true), late = machine_picture(view, 60.0, true),
+             again = machine_picture(view, 60.0, true);
   ASSERT_TRUE(early && late && again);
   EXPECT_GT(drawn_share(*early), 0.05);
   EXPECT_GT(different_pixels(*early, *late), 20'000U);
@@ -88,17 +93,20 @@ TEST(RunPictures, ColourByLimitShowsTheOneSampleAtALimit) {
 TEST(RunPlots, OverThePathEndsAtItsLength) {
   const RunView view = example_run(small);
   double length_mm = 0.0;
-  for (std::size_t i = 1; i < view.trace.poses_P.size(); ++i) length_mm += (view.trace.poses_P[i].tip_P_mm - view.trace.poses_P[i - 1].tip_P_mm).norm();
+  for (std::size_t i = 1; i < view.trace.poses_P.size(); ++i)
+    length_mm += (view.trace.poses_P[i].tip_P_mm - view.trace.poses_P[i - 1].tip_P_mm).norm();
   const Plot plot = path_plot(view);
   for (const PlotPanel& panel : plot.panels)
     for (const PlotSeries& series : panel.series) EXPECT_NEAR(series.points.back().x(), length_mm, 1e-9);
-  EXPECT_NEAR(plot.panels.at(1).series.at(0).points.at(static_cast<std::size_t>(spike_sample(small))).y(), spike_velocity_rad_s * 57.29577951308232, 1e-9);
+  EXPECT_NEAR(plot.panels.at(1).series.at(0).points.at(static_cast<std::size_t>(spike_sample(small))).y(),
+              spike_velocity_rad_s * 57.29577951308232, 1e-9);
 }
 
 TEST(RunPlots, SharesOfTheHistogramSumToAHundred) {
   const Plot plot = deviation_plot(example_run(small));
   double sum = 0.0;
-  for (std::size_t i = 0; i < plot.panels.at(0).series.at(0).points.size(); i += 2) sum += plot.panels[0].series[0].points[i].y();
+  for (std::size_t i = 0; i < plot.panels.at(0).series.at(0).points.size(); i += 2)
+    sum += plot.panels[0].series[0].points[i].y();
   EXPECT_NEAR(sum, 100.0, 1e-9);
 }
 

@@ -1,4 +1,5 @@
-// Writes the pages that the browser test opens: FOLDER/example.html, foreign.html, large.html, and what they must show as expected.json.
+// Writes the pages that the browser test opens: FOLDER/example.html, foreign.html, large.html, and what they must show
+// as expected.json.
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -11,7 +12,9 @@ namespace {
 
 using namespace volute::view;
 
-bool write_page(const RunView& view, const std::filesystem::path& file) { return write_report_html(view, file).has_value(); }
+bool write_page(const RunView& view, const std::filesystem::path& file) {
+  return write_report_html(view, file).has_value();
+}
 
 RunView foreign_run() {
   RunView view = example_run({});
@@ -33,11 +36,13 @@ int main(int count, char** arguments) {
   const ExampleSize size;
   const RunView view = example_run(size);
   const int spike = spike_sample(size);
-  const std::string expected = "{\"spike_line\":" + std::to_string(line_of_sample(size, spike)) + ",\"spike_time\":" +
-                               volute::geometry::shortest_text(view.trace.samples[static_cast<std::size_t>(spike)].time_s) + ",\"end_time\":" +
-                               volute::geometry::shortest_text(view.trace.samples.back().time_s) + ",\"finding_line\":" +
-                               std::to_string(view.findings.front().line) + "}\n";
-  const bool written = write_page(view, folder / "example.html") && write_page(foreign_run(), folder / "foreign.html") &&
+  const std::string expected =
+      "{\"spike_line\":" + std::to_string(line_of_sample(size, spike)) +
+      ",\"spike_time\":" + volute::geometry::shortest_text(view.trace.samples[static_cast<std::size_t>(spike)].time_s) +
+      ",\"end_time\":" + volute::geometry::shortest_text(view.trace.samples.back().time_s) +
+      ",\"finding_line\":" + std::to_string(view.findings.front().line) + "}\n";
+  const bool written = write_page(view, folder / "example.html") &&
+                       write_page(foreign_run(), folder / "foreign.html") &&
                        write_page(example_run({1'000'000, 100'000, 350}), folder / "million.html") &&
                        write_page(example_run({200'000, 100'000, 120}), folder / "large.html") &&
                        volute::geometry::write_file(folder / "expected.json", expected).has_value();

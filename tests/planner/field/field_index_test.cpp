@@ -20,7 +20,8 @@ TEST(FieldIndex, AgreesWithWorkedNumbersInEveryReading) {
   EXPECT_NEAR(indexes.s_td_derivative, expected["derivative_mean_(divide_by_du_dv)"].get<double>(), 1e-12);
   EXPECT_NEAR(indexes.s_td_sum, expected["sum_over_8_no_mean_no_du_dv"].get<double>(), 1e-12);
   EXPECT_NEAR(indexes.dirichlet, expected["dirichlet_mean_no_cross_term"].get<double>(), 1e-12);
-  EXPECT_NEAR(fitting_accuracy(vec3_list(reference()["I_fa"]["key"]), vec3_list(reference()["I_fa"]["fit"])), reference()["I_fa"]["I_fa"].get<double>(), 1e-15);
+  EXPECT_NEAR(fitting_accuracy(vec3_list(reference()["I_fa"]["key"]), vec3_list(reference()["I_fa"]["fit"])),
+              reference()["I_fa"]["I_fa"].get<double>(), 1e-15);
 }
 
 /// The half-sphere of [Huang2016] case 3: tool axes 10 degrees beyond the latitude.
@@ -40,9 +41,13 @@ TEST(FieldIndex, HalfSphereTendsToItsClosedForm) {
 /// Why the source's index is no smoothness measure: a field that turns as u - v has S_TD = 0.
 TEST(FieldIndex, CrossTermHidesTurning) {
   const auto turning = [](double sign) {
-    return [sign](const Vec2& uv) { const double angle = uv.x() + sign * uv.y(); return Vec3(std::cos(angle), std::sin(angle), 0.0); };
+    return [sign](const Vec2& uv) {
+      const double angle = uv.x() + sign * uv.y();
+      return Vec3(std::cos(angle), std::sin(angle), 0.0);
+    };
   };
-  const SmoothnessIndexes minus = smoothness(sample_grid(turning(-1.0), 200, 200)), plus = smoothness(sample_grid(turning(1.0), 200, 200));
+  const SmoothnessIndexes minus = smoothness(sample_grid(turning(-1.0), 200, 200)),
+                          plus = smoothness(sample_grid(turning(1.0), 200, 200));
   EXPECT_NEAR(minus.s_td_derivative, 0.0, 1e-12);
   EXPECT_NEAR(plus.s_td_derivative, 2.0, 1e-3);
   EXPECT_NEAR(minus.dirichlet, 1.0, 1e-3);

@@ -16,7 +16,8 @@ geometry::TriangleMesh half_sphere() {
   for (int i = 0; i <= rings; ++i)
     for (int j = 0; j < around; ++j) {
       const double polar = 0.05 + (pi / 2 - 0.05) * i / rings, turn = 2 * pi * j / around;
-      mesh.vertices_mm.emplace_back(10 * std::sin(polar) * std::cos(turn), 10 * std::sin(polar) * std::sin(turn), 10 * std::cos(polar));
+      mesh.vertices_mm.emplace_back(10 * std::sin(polar) * std::cos(turn), 10 * std::sin(polar) * std::sin(turn),
+                                    10 * std::cos(polar));
     }
   for (int i = 0; i < rings; ++i)
     for (int j = 0; j < around; ++j) {
@@ -29,7 +30,8 @@ geometry::TriangleMesh half_sphere() {
 
 std::vector<PointKey> normal_keys(const geometry::TriangleMesh& mesh, std::size_t step) {
   std::vector<PointKey> keys;
-  for (std::size_t i = 0; i < mesh.vertices_mm.size(); i += step) keys.push_back({mesh.vertices_mm[i], mesh.vertices_mm[i].normalized()});
+  for (std::size_t i = 0; i < mesh.vertices_mm.size(); i += step)
+    keys.push_back({mesh.vertices_mm[i], mesh.vertices_mm[i].normalized()});
   return keys;
 }
 
@@ -40,7 +42,8 @@ TEST(MeshField, KeysAlongTheNormalsKeepTheAxisOnTheNormals) {
   const auto denser = field_on_mesh(mesh, normal_keys(mesh, 11), {});
   ASSERT_TRUE(denser) << denser.error().message;
   EXPECT_LT(field->report.tilt_greatest.degrees(), 5.0);
-  EXPECT_LT(denser->report.tilt_greatest.degrees(), field->report.tilt_greatest.degrees()) << "more keys, nearer the normals";
+  EXPECT_LT(denser->report.tilt_greatest.degrees(), field->report.tilt_greatest.degrees())
+      << "more keys, nearer the normals";
   EXPECT_NEAR(field->report.fitting_accuracy, 1.0, 1e-9);
   // The Gauss map of a sphere has |grad T|^2 = 2 / R^2.
   EXPECT_NEAR(field->report.dirichlet_per_mm2, 1.0 / 100.0, 0.15 / 100.0);
@@ -54,7 +57,8 @@ TEST(MeshField, SplineOnTheCylinderStaysNearTheInterpolation) {
   const auto spline = field_on_mesh(mesh, normal_keys(mesh, 41), options);
   ASSERT_TRUE(rbf && spline);
   double largest = 0.0;
-  for (std::size_t i = 0; i < rbf->axes_P.size(); ++i) largest = std::max(largest, (rbf->axes_P[i] - spline->axes_P[i]).norm());
+  for (std::size_t i = 0; i < rbf->axes_P.size(); ++i)
+    largest = std::max(largest, (rbf->axes_P[i] - spline->axes_P[i]).norm());
   EXPECT_GT(largest, 0.0) << "the approximation is another field";
   EXPECT_LT(largest, 0.1);
 }
@@ -68,7 +72,8 @@ TEST(MeshField, SplineWithoutParametersIsRefused) {
 }
 
 TEST(MeshField, HalfOpenBasisOfHalfAPeriodIsRefused) {
-  const auto field = field_on_mesh(half_sphere(), {{Vec3::Zero(), Vec3::UnitZ()}}, {{BasisKind::half_open, 0.6, 1.0, 2}, FieldPlacement::cylinder, false, 30, 10});
+  const auto field = field_on_mesh(half_sphere(), {{Vec3::Zero(), Vec3::UnitZ()}},
+                                   {{BasisKind::half_open, 0.6, 1.0, 2}, FieldPlacement::cylinder, false, 30, 10});
   ASSERT_FALSE(field);
   EXPECT_EQ(field.error().code, "field-basis-width");
 }

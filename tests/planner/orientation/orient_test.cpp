@@ -60,7 +60,8 @@ TEST(Orient, WithoutObstaclesAStraightPassKeepsItsLean) {
 
 TEST(Orient, EveryMethodDodgesTheWall) {
   Strip strip({wall_beside_the_middle()});
-  for (const Smoothing smoothing : {Smoothing::none, Smoothing::velocity, Smoothing::acceleration, Smoothing::corridor}) {
+  for (const Smoothing smoothing :
+       {Smoothing::none, Smoothing::velocity, Smoothing::acceleration, Smoothing::corridor}) {
     const auto path = strip.orient(smoothing);
     ASSERT_TRUE(path) << path.error().message;
     EXPECT_GT(path->report.interferences_before, 10);

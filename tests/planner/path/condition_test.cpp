@@ -91,8 +91,7 @@ TEST(Condition, NoChordIsLeft) {
     if (topology->opposite(h) == geometry::no_index) continue;
     const auto& t = mesh.triangles[static_cast<std::size_t>(h / 3)];
     const Index a = t[static_cast<std::size_t>(h % 3)], b = t[static_cast<std::size_t>((h % 3 + 1) % 3)];
-    EXPECT_FALSE(topology->is_boundary_vertex(a) && topology->is_boundary_vertex(b))
-        << a << ' ' << b;
+    EXPECT_FALSE(topology->is_boundary_vertex(a) && topology->is_boundary_vertex(b)) << a << ' ' << b;
   }
 }
 

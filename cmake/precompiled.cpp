@@ -1,0 +1,1 @@
+// Carries the precompiled header (cmake/precompiled.hpp); has nothing of its own.
