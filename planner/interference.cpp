@@ -2,41 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
 
 #include "geometry/check.hpp"
-#include "planner/interference_shapes.hpp"
-#include "planner/sphere_tree.hpp"
+#include "planner/interference_trees.hpp"
 
 namespace volute::planner {
 
 using kinematics::ToolPose;
 
 namespace {
-
-using Bvh = fcl::BVHModel<fcl::OBBd>;
-
-// Rounding of the sphere tree's distances: what it calls clear by this much is clear.
-constexpr double rounding_mm = 1e-7;
-
-std::shared_ptr<const Bvh> bvh_of(const geometry::TriangleMesh& mesh) {
-  std::vector<fcl::Vector3d> points(mesh.vertices_mm.begin(), mesh.vertices_mm.end());
-  std::vector<fcl::Triangle> triangles;
-  triangles.reserve(mesh.triangles.size());
-  for (const geometry::Triangle& t : mesh.triangles) {
-    triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
-                           static_cast<std::size_t>(t[2]));
-  }
-  auto model = std::make_shared<Bvh>();
-  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(points.size()));
-  model->addSubModel(points, triangles);
-  model->endModel();
-  return model;
-}
 
 /// Every edge has two triangles that run along it in opposite directions.
 bool is_closed(const geometry::TriangleMesh& mesh) {
@@ -52,32 +28,14 @@ bool is_closed(const geometry::TriangleMesh& mesh) {
   return !forward.empty() && forward == backward;
 }
 
-/// One body of the scene.
-struct Body {
-  std::string name;
-  bool is_part = false, closed = false;
-  std::shared_ptr<const Bvh> bvh;
-  SphereTree tree;
-};
-
-/// One piece of the assembly, grown for the part and for everything else.
-struct Piece {
-  std::string part;
-  bool is_tip = false;
-  PlacedShape at_part, at_others;
-  [[nodiscard]] const PlacedShape& shape_for(const Body& body) const { return body.is_part ? at_part : at_others; }
-};
-
-/// Machine link that moves, or the base.
-struct Link {
-  int link;
-  bool with_tool;
-  std::string name;
-  std::shared_ptr<const Bvh> bvh;
-};
-
+/// The cone round the shape of a tool at `pose`, seen from where the mesh `X` stands.
 AxialCone cone_round(const PlacedShape& shape, const ToolPose& pose) {
   return {pose.tip_P_mm, pose.axis_P, shape.z_min_mm, shape.z_max_mm, shape.bottom_radius_mm, shape.top_radius_mm};
+}
+
+ToolPose seen_from(const geometry::Transform& X_from, const geometry::Transform& X_pose, const ToolPose& pose) {
+  const geometry::Transform X = X_from.inverse() * X_pose;
+  return {X * pose.tip_P_mm, X.linear() * pose.axis_P};
 }
 
 fcl::Transform3d placement(const PlacedShape& shape, const ToolPose& pose) {
@@ -87,8 +45,65 @@ fcl::Transform3d placement(const PlacedShape& shape, const ToolPose& pose) {
   return X;
 }
 
-bool collides(const fcl::CollisionGeometryd& a, const fcl::Transform3d& X_a, const fcl::CollisionGeometryd& b,
-              const fcl::Transform3d& X_b) {
+/// Spheres and corners decide what they can; FCL decides the rest.
+bool shape_touches(const PlacedShape& shape, const ToolPose& pose, const SphereTree& tree,
+                   const fcl::BVHModel<fcl::OBBd>& bvh) {
+  if (shape.is_ball) {
+    const Vec3 centre = pose.tip_P_mm + shape.centre_z_mm * pose.axis_P;
+    const double far = shape.radius_mm() + distance_rounding_mm;
+    if (tree.point_distance_mm(centre, far) >= far) return false;
+  } else {
+    const SphereTree::Meeting meeting = tree.meeting(cone_round(shape, pose), distance_rounding_mm);
+    if (meeting == SphereTree::Meeting::apart) return false;
+    if (meeting == SphereTree::Meeting::touching && shape.is_cone) return true;
+  }
+  return fcl_collides(*shape.shape, placement(shape, pose), bvh, fcl::Transform3d::Identity());
+}
+
+double shape_slack_mm(const PlacedShape& shape, const ToolPose& pose, const SphereTree& tree, double cap_mm) {
+  if (shape.is_ball) {
+    const Vec3 centre = pose.tip_P_mm + shape.centre_z_mm * pose.axis_P;
+    return tree.point_distance_mm(centre, shape.radius_mm() + cap_mm) - shape.radius_mm() - distance_rounding_mm;
+  }
+  return tree.clearance_mm(cone_round(shape, pose), cap_mm) - distance_rounding_mm;
+}
+
+/// How deep the mesh reaches into the shape.
+double shape_depth_mm(const PlacedShape& shape, const ToolPose& pose, const SphereTree& tree) {
+  if (shape.is_ball) {
+    const Vec3 centre = pose.tip_P_mm + shape.centre_z_mm * pose.axis_P;
+    return shape.radius_mm() - tree.point_distance_mm(centre, shape.radius_mm());
+  }
+  return shape.inner_share > 0.0
+             ? tree.depth_mm({pose.tip_P_mm, pose.axis_P, shape.z_min_mm, shape.z_max_mm,
+                              shape.inner_share * shape.bottom_radius_mm, shape.inner_share * shape.top_radius_mm})
+             : 0.0;
+}
+
+/// Solids that hold each other without their surfaces meeting.
+bool holds(bool closed, const SphereTree& solid, const SphereTree& other, const geometry::Transform& X_solid_other) {
+  return closed && !other.is_empty() && solid.contains(X_solid_other * other.any_point_mm());
+}
+
+}  // namespace
+
+std::shared_ptr<const fcl::BVHModel<fcl::OBBd>> bvh_of(const geometry::TriangleMesh& mesh) {
+  std::vector<fcl::Vector3d> points(mesh.vertices_mm.begin(), mesh.vertices_mm.end());
+  std::vector<fcl::Triangle> triangles;
+  triangles.reserve(mesh.triangles.size());
+  for (const geometry::Triangle& t : mesh.triangles) {
+    triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
+                           static_cast<std::size_t>(t[2]));
+  }
+  auto model = std::make_shared<fcl::BVHModel<fcl::OBBd>>();
+  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(points.size()));
+  model->addSubModel(points, triangles);
+  model->endModel();
+  return model;
+}
+
+bool fcl_collides(const fcl::CollisionGeometryd& a, const fcl::Transform3d& X_a, const fcl::CollisionGeometryd& b,
+                  const fcl::Transform3d& X_b) {
   fcl::CollisionRequestd request(1, false);
   request.gjk_solver_type = fcl::GST_LIBCCD;
   fcl::CollisionResultd result;
@@ -96,45 +111,13 @@ bool collides(const fcl::CollisionGeometryd& a, const fcl::Transform3d& X_a, con
   return result.isCollision();
 }
 
-/// Spheres and corners decide what they can; FCL decides the rest.
-bool touches(const PlacedShape& shape, const ToolPose& pose, const Body& body) {
-  if (shape.is_ball) {
-    const Vec3 centre = pose.tip_P_mm + shape.centre_z_mm * pose.axis_P;
-    const double far = shape.radius_mm() + rounding_mm;
-    if (body.tree.point_distance_mm(centre, far) >= far) return false;
-  } else {
-    const SphereTree::Meeting meeting = body.tree.meeting(cone_round(shape, pose), rounding_mm);
-    if (meeting == SphereTree::Meeting::apart) return false;
-    if (meeting == SphereTree::Meeting::touching && shape.is_cone) return true;
-  }
-  return collides(*shape.shape, placement(shape, pose), *body.bvh, fcl::Transform3d::Identity());
+void Interference::Trees::add_body(const geometry::TriangleMesh& mesh, std::string name, bool is_part) {
+  if (mesh.triangles.empty()) return;
+  bodies.push_back({std::move(name), is_part, is_closed(mesh), bvh_of(mesh), SphereTree(mesh)});
 }
 
-}  // namespace
-
-struct Interference::Trees {
-  std::vector<Body> bodies;
-  std::vector<Piece> pieces;
-  std::vector<PlacedShape> bare_pieces;  ///< not grown, for machine links
-  std::vector<Link> links;
-  std::set<std::pair<std::size_t, std::size_t>> joined_links;
-  std::optional<kinematics::Machine> machine;
-  kinematics::Setup setup;
-  double tool_length_mm = 0.0, top_mm = 0.0, reach_mm = 0.0, ball_radius_mm = 0.0;
-
-  void add_body(const geometry::TriangleMesh& mesh, std::string name, bool is_part) {
-    if (mesh.triangles.empty()) return;
-    bodies.push_back({std::move(name), is_part, is_closed(mesh), bvh_of(mesh), SphereTree(mesh)});
-  }
-  void add_scene(const Scene& scene);
-  void add_tool(const kinematics::Tool& tool, const Scene& scene);
-  void add_machine(const kinematics::Machine& from, const kinematics::Setup& at);
-  [[nodiscard]] std::optional<InterferenceHit> assembly_hit(const ToolPose& pose, bool with_tip) const;
-  [[nodiscard]] bool is_hit(const ToolPose& pose, bool with_tip) const;
-  [[nodiscard]] std::optional<InterferenceHit> link_hit(const ToolPose& pose, const kinematics::AxisVector& q) const;
-};
-
 void Interference::Trees::add_scene(const Scene& scene) {
+  motion_tolerance_mm = scene.motion_tolerance_mm;
   add_body(scene.part, "part", true);
   std::size_t index = 0;
   const auto name = [&](const char* kind) {
@@ -152,99 +135,86 @@ void Interference::Trees::add_tool(const kinematics::Tool& tool, const Scene& sc
     const bool tip = piece.kind == ToolPiece::Kind::ball;
     pieces.push_back({piece.part, tip, placed_shape(piece, cuts ? -scene.gouge_tolerance_mm : scene.clearance_mm),
                       placed_shape(piece, scene.clearance_mm)});
-    bare_pieces.push_back(placed_shape(piece, 0.0));
     top_mm = std::max(top_mm, piece.z_max_mm);
     if (tip) ball_radius_mm = piece.bottom_radius_mm;
-    const double widest = std::max(piece.bottom_radius_mm, piece.top_radius_mm);
-    reach_mm = std::max(reach_mm, std::hypot(piece.z_max_mm, widest));
+    reach_mm = std::max(reach_mm, pieces.back().at_others.reach_mm());
   }
-}
-
-void Interference::Trees::add_machine(const kinematics::Machine& from, const kinematics::Setup& at) {
-  machine = from;
-  setup = at;
-  for (const kinematics::LinkShape& shape : from.shapes) {
-    if (shape.mesh_M.triangles.empty()) continue;
-    const auto place = std::find(from.chain.begin(), from.chain.end(), shape.link);
-    const bool with_tool = shape.link >= 0 && place - from.chain.begin() >= from.table_axes;
-    links.push_back({shape.link, with_tool, shape.name, bvh_of(shape.mesh_M)});
-  }
-  // Links that touch where the machine stands at zero are joined by design.
-  const fcl::Transform3d zero = fcl::Transform3d::Identity();
-  for (std::size_t a = 0; a < links.size(); ++a) {
-    for (std::size_t b = a + 1; b < links.size(); ++b) {
-      if (collides(*links[a].bvh, zero, *links[b].bvh, zero)) joined_links.insert({a, b});
-    }
-  }
-}
-
-std::optional<InterferenceHit> Interference::Trees::assembly_hit(const ToolPose& pose, bool with_tip) const {
-  for (const Body& body : bodies) {
-    for (const Piece& piece : pieces) {
-      if (piece.is_tip && body.is_part && !with_tip) continue;
-      if (touches(piece.shape_for(body), pose, body)) return InterferenceHit{piece.part, body.name};
-    }
-    // A surface says nothing of what lies wholly inside it; the assembly is one body, so one of its points tells.
-    if (body.closed && body.tree.contains(pose.tip_P_mm + top_mm * pose.axis_P))
-      return InterferenceHit{pieces.back().part, body.name};
-  }
-  return std::nullopt;
-}
-
-/// Whether, not where: what touched last on this thread is asked first, since neighbouring poses touch the same things.
-bool Interference::Trees::is_hit(const ToolPose& pose, bool with_tip) const {
-  thread_local std::size_t last_body = 0, last_piece = 0;
-  const auto hits = [&](std::size_t b, std::size_t p) {
-    if (pieces[p].is_tip && bodies[b].is_part && !with_tip) return false;
-    return touches(pieces[p].shape_for(bodies[b]), pose, bodies[b]);
-  };
-  if (last_body < bodies.size() && last_piece < pieces.size() && hits(last_body, last_piece)) return true;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-      if ((b == last_body && p == last_piece) || !hits(b, p)) continue;
-      last_body = b;
-      last_piece = p;
-      return true;
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+      pairs.push_back({WatchedPair::Kind::piece_body, p, b, 0.0, pieces[p].is_tip && bodies[b].is_part});
+  }
+  assembly_pairs = pairs.size();
+}
+
+bool Interference::Trees::touches(const WatchedPair& pair, const Stand& at) const {
+  using Kind = WatchedPair::Kind;
+  switch (pair.kind) {
+    case Kind::piece_body: {
+      const SceneBody& body = bodies[pair.b];
+      return shape_touches(pieces[pair.a].shape_for(body), at.pose, body.tree, *body.bvh);
     }
-    if (bodies[b].closed && bodies[b].tree.contains(pose.tip_P_mm + top_mm * pose.axis_P)) return true;
+    case Kind::piece_link: {
+      const ToolPose pose = seen_from(X_M_link(pair.b, at), setup.part_in_machine, at.pose);
+      return shape_touches(pieces[pair.a].at_others, pose, links[pair.b].tree, *links[pair.b].bvh);
+    }
+    case Kind::link_body: {
+      const LinkBody& link = links[pair.a];
+      const SceneBody& body = bodies[pair.b];
+      const geometry::Transform X = X_M_link(pair.a, at).inverse() * setup.part_in_machine;
+      const double far = pair.apart_mm + distance_rounding_mm;
+      return link.tree.mesh_distance_mm(body.tree, X, far) < far || holds(true, link.tree, body.tree, X) ||
+             holds(body.closed, body.tree, link.tree, X.inverse());
+    }
+    case Kind::link_link: {
+      const geometry::Transform X = X_M_link(pair.a, at).inverse() * X_M_link(pair.b, at);
+      const double far = pair.apart_mm + distance_rounding_mm;
+      return links[pair.a].tree.mesh_distance_mm(links[pair.b].tree, X, far) < far;
+    }
   }
   return false;
 }
 
-std::optional<InterferenceHit> Interference::Trees::link_hit(const ToolPose& pose,
-                                                             const kinematics::AxisVector& q) const {
-  const geometry::Transform& X_MP = setup.part_in_machine;
-  std::vector<fcl::Transform3d> X_links;
-  for (const Link& link : links) X_links.emplace_back(kinematics::link_motion(*machine, link.link, q));
-  for (std::size_t a = 0; a < links.size(); ++a) {
-    if (links[a].with_tool) {
-      for (const Body& body : bodies) {
-        if (collides(*links[a].bvh, X_links[a], *body.bvh, X_MP)) return InterferenceHit{links[a].name, body.name};
-      }
-    } else {
-      for (std::size_t k = 0; k < pieces.size(); ++k) {
-        if (collides(*bare_pieces[k].shape, X_MP * placement(bare_pieces[k], pose), *links[a].bvh, X_links[a])) {
-          return InterferenceHit{pieces[k].part, links[a].name};
-        }
-      }
-    }
-    for (std::size_t b = a + 1; b < links.size(); ++b) {
-      if (links[a].link == links[b].link || joined_links.count({a, b}) != 0) continue;
-      if (collides(*links[a].bvh, X_links[a], *links[b].bvh, X_links[b]))
-        return InterferenceHit{links[a].name, links[b].name};
-    }
+double Interference::Trees::slack_mm(const WatchedPair& pair, const Stand& at, double cap_mm) const {
+  using Kind = WatchedPair::Kind;
+  const auto meshes = [&](const SphereTree& a, const SphereTree& b, const geometry::Transform& X) {
+    return a.mesh_distance_mm(b, X, cap_mm + pair.apart_mm) - pair.apart_mm - distance_rounding_mm;
+  };
+  switch (pair.kind) {
+    case Kind::piece_body:
+      return shape_slack_mm(pieces[pair.a].shape_for(bodies[pair.b]), at.pose, bodies[pair.b].tree, cap_mm);
+    case Kind::piece_link:
+      return shape_slack_mm(pieces[pair.a].at_others, seen_from(X_M_link(pair.b, at), setup.part_in_machine, at.pose),
+                            links[pair.b].tree, cap_mm);
+    case Kind::link_body:
+      return meshes(links[pair.a].tree, bodies[pair.b].tree, X_M_link(pair.a, at).inverse() * setup.part_in_machine);
+    case Kind::link_link:
+      return meshes(links[pair.a].tree, links[pair.b].tree, X_M_link(pair.a, at).inverse() * X_M_link(pair.b, at));
   }
-  return std::nullopt;
+  return 0.0;
+}
+
+InterferenceHit Interference::Trees::names(const WatchedPair& pair) const {
+  using Kind = WatchedPair::Kind;
+  const bool of_tool = pair.kind == Kind::piece_body || pair.kind == Kind::piece_link;
+  const bool of_scene = pair.kind == Kind::piece_body || pair.kind == Kind::link_body;
+  return {of_tool ? pieces[pair.a].part : links[pair.a].name, of_scene ? bodies[pair.b].name : links[pair.b].name};
+}
+
+const SceneBody* Interference::Trees::swallowing(const ToolPose& pose) const {
+  for (const SceneBody& body : bodies) {
+    if (body.closed && body.tree.contains(pose.tip_P_mm + top_mm * pose.axis_P)) return &body;
+  }
+  return nullptr;
 }
 
 Interference::Interference(const Scene& scene, const kinematics::Tool& tool, const kinematics::Machine* machine,
                            const kinematics::Setup* setup) {
-  VOLUTE_CHECK(scene.clearance_mm >= 0.0 && scene.gouge_tolerance_mm >= 0.0, scene.clearance_mm,
-               scene.gouge_tolerance_mm);
+  VOLUTE_CHECK(scene.clearance_mm >= 0.0 && scene.gouge_tolerance_mm >= 0.0 && scene.motion_tolerance_mm > 0.0,
+               scene.clearance_mm, scene.gouge_tolerance_mm, scene.motion_tolerance_mm);
   auto trees = std::make_unique<Trees>();
   trees->add_scene(scene);
   trees->add_tool(tool, scene);
-  if (machine != nullptr && setup != nullptr) trees->add_machine(*machine, *setup);
+  if (machine != nullptr && setup != nullptr) trees->add_machine(*machine, *setup, scene);
   trees_ = std::move(trees);
 }
 
@@ -252,39 +222,67 @@ Interference::~Interference() = default;
 Interference::Interference(Interference&&) noexcept = default;
 Interference& Interference::operator=(Interference&&) noexcept = default;
 
-bool Interference::is_free(const ToolPose& pose) const { return !trees_->is_hit(pose, true); }
-bool Interference::is_free_but_tip(const ToolPose& pose) const { return !trees_->is_hit(pose, false); }
-std::optional<InterferenceHit> Interference::first_hit(const ToolPose& pose) const {
-  return trees_->assembly_hit(pose, true);
+/// Whether, not where: what touched last on this thread is asked first, since neighbouring poses touch the same things.
+bool Interference::is_hit(const ToolPose& pose, bool with_tip) const {
+  thread_local std::size_t last = 0;
+  const Stand at{pose, {}, {}};
+  const auto hits = [&](std::size_t p) {
+    return (with_tip || !trees_->pairs[p].is_tip_at_part) && trees_->touches(trees_->pairs[p], at);
+  };
+  if (last < trees_->assembly_pairs && hits(last)) return true;
+  for (std::size_t p = 0; p < trees_->assembly_pairs; ++p) {
+    if (p == last || !hits(p)) continue;
+    last = p;
+    return true;
+  }
+  return trees_->swallowing(pose) != nullptr;
+}
+
+std::optional<InterferenceHit> Interference::assembly_hit(const ToolPose& pose, bool with_tip) const {
+  const Stand at{pose, {}, {}};
+  for (std::size_t p = 0; p < trees_->assembly_pairs; ++p) {
+    const WatchedPair& pair = trees_->pairs[p];
+    if ((with_tip || !pair.is_tip_at_part) && trees_->touches(pair, at)) return trees_->names(pair);
+  }
+  if (const SceneBody* body = trees_->swallowing(pose)) return InterferenceHit{trees_->pieces.back().part, body->name};
+  return std::nullopt;
+}
+
+bool Interference::is_free(const ToolPose& pose) const { return !is_hit(pose, true); }
+bool Interference::is_free_but_tip(const ToolPose& pose) const { return !is_hit(pose, false); }
+std::optional<InterferenceHit> Interference::first_hit(const ToolPose& pose) const { return assembly_hit(pose, true); }
+std::optional<InterferenceHit> Interference::first_hit_but_tip(const ToolPose& pose) const {
+  return assembly_hit(pose, false);
 }
 bool Interference::has_machine() const { return trees_->machine.has_value() && !trees_->links.empty(); }
-std::optional<InterferenceHit> Interference::first_hit_but_tip(const ToolPose& pose) const {
-  return trees_->assembly_hit(pose, false);
-}
 double Interference::reach_mm() const { return trees_->reach_mm; }
-
-bool Interference::is_free(const ToolPose& pose, const kinematics::AxisVector& q) const {
-  return is_free(pose) && (!has_machine() || !trees_->link_hit(pose, q));
-}
+double Interference::motion_tolerance_mm() const { return trees_->motion_tolerance_mm; }
 
 double Interference::clearance_mm(const ToolPose& pose, double cap_mm) const {
   double least = cap_mm;
-  for (const Body& body : trees_->bodies) {
-    for (const Piece& piece : trees_->pieces) {
-      if (least <= 0.0) return 0.0;
-      if (piece.is_tip && body.is_part) continue;
-      least = std::min(least, body.tree.clearance_mm(cone_round(piece.shape_for(body), pose), least));
-    }
-    if (body.closed && body.tree.contains(pose.tip_P_mm + trees_->top_mm * pose.axis_P)) return 0.0;
+  const Stand at{pose, {}, {}};
+  for (std::size_t p = 0; p < trees_->assembly_pairs && least > 0.0; ++p) {
+    if (!trees_->pairs[p].is_tip_at_part) least = std::min(least, trees_->slack_mm(trees_->pairs[p], at, least));
   }
-  return std::max(least - rounding_mm, 0.0);
+  return least <= 0.0 || trees_->swallowing(pose) != nullptr ? 0.0 : least;
+}
+
+double Interference::depth_mm(const ToolPose& pose) const {
+  double depth = 0.0;
+  for (std::size_t p = 0; p < trees_->assembly_pairs; ++p) {
+    const WatchedPair& pair = trees_->pairs[p];
+    const SceneBody& body = trees_->bodies[pair.b];
+    if (!pair.is_tip_at_part)
+      depth = std::max(depth, shape_depth_mm(trees_->pieces[pair.a].shape_for(body), pose, body.tree));
+  }
+  return depth;
 }
 
 double Interference::tip_depth_mm(const ToolPose& pose) const {
   const double r = trees_->ball_radius_mm;
   double depth = 0.0;
   if (r <= 0.0) return depth;
-  for (const Body& body : trees_->bodies) {
+  for (const SceneBody& body : trees_->bodies) {
     if (body.is_part) depth = std::max(depth, r - body.tree.point_distance_mm(pose.tip_P_mm + r * pose.axis_P, r));
   }
   return depth;

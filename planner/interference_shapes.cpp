@@ -72,6 +72,7 @@ PlacedShape grown_frustum(const ToolPiece& piece, double growth_mm) {
   placed.is_cone = true;
   placed.bottom_radius_mm = bottom;
   placed.top_radius_mm = top;
+  placed.inner_share = slope == 0.0 ? 1.0 : std::cos(std::numbers::pi / cone_sides);
   if (slope == 0.0) {
     placed.centre_z_mm = 0.5 * (placed.z_min_mm + placed.z_max_mm);
     placed.shape = std::make_shared<const fcl::Cylinderd>(bottom, placed.z_max_mm - placed.z_min_mm);

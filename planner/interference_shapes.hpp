@@ -1,6 +1,8 @@
 // The tool assembly as convex pieces that FCL knows, grown or shrunk by a clearance.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,6 +37,12 @@ struct PlacedShape {
   [[nodiscard]] double radius_mm() const { return bottom_radius_mm > top_radius_mm ? bottom_radius_mm : top_radius_mm; }
   /// The cone is the shape itself: a point inside the cone is inside the shape.
   bool is_cone = false;
+  /// The cone with its radii times this lies inside the shape; 0: none is known.
+  double inner_share = 0.0;
+  /// Farthest point of the cone round it from the tip.
+  [[nodiscard]] double reach_mm() const {
+    return std::hypot(std::max(std::abs(z_min_mm), std::abs(z_max_mm)), radius_mm());
+  }
 };
 
 /// The piece grown by `growth_mm` on all sides (shrunk when negative). Cylinders and balls are exact but for the flat

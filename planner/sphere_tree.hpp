@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/mesh.hpp"
+#include "geometry/vector.hpp"
 
 namespace volute::planner {
 
@@ -19,11 +20,14 @@ struct AxialCone {
 /// A lower bound on the distance from a point to the solid cone, mm: exact for a cylinder; 0 exactly when the point is
 /// inside.
 double distance_bound_mm(const AxialCone& cone, const Vec3& point_mm);
+/// How deep the point stands in the solid cone, mm: negative outside. Changes by no more than the point moves.
+double depth_in_cone_mm(const AxialCone& cone, const Vec3& point_mm);
 /// Distance from a point to a triangle, mm (Ericson 2005, 5.1.5).
 double distance_mm(const Vec3& point_mm, const Vec3& a_mm, const Vec3& b_mm, const Vec3& c_mm);
 
 /// Built once, then read by any number of threads.
 /// Properties, each with a test of that name: 1. ClearanceIsLowerBound. 2. PointDistanceIsExact. 3. ParityTellsInside.
+/// 4. MeshDistanceIsExact. 5. DepthIsLowerBound.
 /// Large triangles are cut up first: a sphere round a long sliver bounds nothing.
 class SphereTree {
  public:
@@ -39,6 +43,15 @@ class SphereTree {
   enum class Meeting { apart, touching, unsure };
   [[nodiscard]] Meeting meeting(const AxialCone& cone, double apart_mm) const;
 
+  /// The distance between this mesh and another that stands at `X_this_other`, at most `cap_mm`; 0 where they cross.
+  /// Exact up to rounding: FCL's distance of two triangles at the leaves. Either mesh empty: cap_mm.
+  [[nodiscard]] double mesh_distance_mm(const SphereTree& other, const geometry::Transform& X_this_other,
+                                        double cap_mm) const;
+
+  /// How deep a point of the mesh surely stands in the solid cone, mm; 0 when none is known to be inside. Below the
+  /// truth by at most the size of a triangle.
+  [[nodiscard]] double depth_mm(const AxialCone& cone) const;
+
   /// The distance from the point to the mesh, at most `cap_mm`. Exact up to rounding.
   [[nodiscard]] double point_distance_mm(const Vec3& point_mm, double cap_mm) const;
 
@@ -47,6 +60,9 @@ class SphereTree {
 
   [[nodiscard]] const Vec3& least_mm() const { return least_mm_; }
   [[nodiscard]] const Vec3& greatest_mm() const { return greatest_mm_; }
+  /// A point of the mesh. Requires: not empty.
+  [[nodiscard]] const Vec3& any_point_mm() const { return corners_.front().a; }
+  [[nodiscard]] bool is_empty() const { return corners_.empty(); }
 
  private:
   struct Node {

@@ -19,8 +19,6 @@ constexpr Angle tilt_margin = Angle::degrees(2.0);
 constexpr double tilt_slack_rad = 1e-9;
 // A cut may be this much narrower than planned: the scallop stays within 2 per cent of what was asked.
 constexpr double narrower_share = 0.98;
-// Without a clearance there is nothing that bounds the step between checks.
-constexpr double motion_step_without_clearance_mm = 0.1, motion_step_max_mm = 0.5;
 
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
@@ -52,8 +50,6 @@ AllowedSet::AllowedSet(std::span<const Station> stations, const kinematics::Tool
       chart_(&chart),
       interference_(&interference),
       options_(&options),
-      motion_step_mm_(options.clearance_mm > 0.0 ? std::min(options.clearance_mm, motion_step_max_mm)
-                                                 : motion_step_without_clearance_mm),
       least_width_mm_(
           is_ball(tool.cutter) ? 0.0 : narrower_share * effective_radius_mm(tool.cutter, options.tilt, options.yaw)),
       rings_(make_rings()) {}
@@ -104,23 +100,28 @@ Blocked AllowedSet::blocked(int i, const Vec3& axis_P) const {
 Blocked AllowedSet::blocked(int i, const Rotaries& at) const {
   const Blocked cheap = limit(i, at);
   if (cheap != Blocked::no) return cheap;
-  return is_free(i, chart_->axis_P(at)) ? Blocked::no : Blocked::interference;
+  return is_free(i, at) ? Blocked::no : Blocked::interference;
+}
+
+bool AllowedSet::is_free(int i, const Vec3& axis_P) const {
+  const kinematics::ToolPose at = pose(i, axis_P);
+  if (!interference_->is_free_but_tip(at)) return false;
+  if (!interference_->has_machine()) return true;
+  for (const RotaryChoice& choice : chart_->choices(axis_P)) {
+    const bool in_travel = !chart_->turns(0, choice.at[0]).empty() && !chart_->turns(1, choice.at[1]).empty();
+    if (in_travel && interference_->links_are_free(at, choice.at)) return true;
+  }
+  return false;
+}
+
+bool AllowedSet::is_free(int i, const Rotaries& at) const {
+  const kinematics::ToolPose there = pose(i, chart_->axis_P(at));
+  return interference_->is_free_but_tip(there) && interference_->links_are_free(there, at);
 }
 
 bool AllowedSet::motion_is_free(int i, const Rotaries& from, const Rotaries& to) const {
-  const kinematics::ToolPose a = pose(i, chart_->axis_P(from)), b = pose(i + 1, chart_->axis_P(to));
-  const double turn = std::hypot(to[0] - from[0], to[1] - from[1]);
-  // The axis never turns more than both rotaries together.
-  const double most = (b.tip_P_mm - a.tip_P_mm).norm() +
-                      interference_->reach_mm() *
-                          std::min(turn * std::numbers::sqrt2, std::abs(to[0] - from[0]) + std::abs(to[1] - from[1]));
-  const int steps = static_cast<int>(std::ceil(most / motion_step_mm_));
-  for (int k = 1; k < steps; ++k) {
-    const double t = static_cast<double>(k) / steps;
-    const Rotaries at = {from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])};
-    if (!interference_->is_free_but_tip({a.tip_P_mm + t * (b.tip_P_mm - a.tip_P_mm), chart_->axis_P(at)})) return false;
-  }
-  return true;
+  return interference_->motion_is_free(
+      {pose(i, chart_->axis_P(from)), pose(i + 1, chart_->axis_P(to)), std::array{from, to}});
 }
 
 std::optional<Vec3> AllowedSet::nearest(int i, const Vec3& wanted_P, Angle margin) const {
@@ -159,7 +160,10 @@ std::string AllowedSet::what_blocks(int i, const Vec3& wanted_P) const {
     if (why == Blocked::travel) ++counts["travel of the rotary axes"];
     if (why != Blocked::interference) continue;
     // The ball against the part is left out of the verdict, so it is left out of the reason.
-    const auto hit = interference_->first_hit_but_tip(pose(i, axis));
+    auto hit = interference_->first_hit_but_tip(pose(i, axis));
+    for (const RotaryChoice& choice : chart_->choices(axis)) {
+      if (!hit) hit = interference_->first_link_hit(pose(i, axis), choice.at);
+    }
     if (hit) ++counts[hit->tool_part + " against " + hit->scene_part];
   }
   std::string text;

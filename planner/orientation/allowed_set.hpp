@@ -28,17 +28,16 @@ class AllowedSet {
   [[nodiscard]] bool is_well_within_limits(int i, const Vec3& axis_P) const;
   /// Travel and process limits: cheap.
   [[nodiscard]] Blocked limit(int i, const Rotaries& at) const;
-  [[nodiscard]] bool is_free(int i, const Vec3& axis_P) const {
-    return interference_->is_free_but_tip(pose(i, axis_P));
-  }
+  /// Nothing touches: the assembly, and with a machine its links on one branch of the rotaries at least.
+  [[nodiscard]] bool is_free(int i, const Vec3& axis_P) const;
+  /// Nothing touches, the links of the machine at these rotaries.
+  [[nodiscard]] bool is_free(int i, const Rotaries& at) const;
   /// Everything, with the rotaries wherever they reach the axis.
   [[nodiscard]] Blocked blocked(int i, const Vec3& axis_P) const;
   [[nodiscard]] Blocked blocked(int i, const Rotaries& at) const;
-  /// The motion from station i to i + 1, rotaries and tip linear in between as a control with TCP moves, at poses so
-  /// near that no point of the assembly moves more than motion_step_mm() from one to the next; the ends are not looked
-  /// at.
+  /// The motion from station i to i + 1 as the axis path makes it (ToolMotion), machine links and all; the ends are not
+  /// looked at.
   [[nodiscard]] bool motion_is_free(int i, const Rotaries& from, const Rotaries& to) const;
-  [[nodiscard]] double motion_step_mm() const { return motion_step_mm_; }
 
   /// The allowed axis nearest to `wanted_P`, found on rings 2 degrees apart, then `margin` further where that is
   /// allowed too.
@@ -58,7 +57,7 @@ class AllowedSet {
   const RotaryChart* chart_;
   const Interference* interference_;
   const OrientationOptions* options_;
-  double motion_step_mm_, least_width_mm_;
+  double least_width_mm_;
   std::vector<Vec3> rings_;  ///< directions round z by rising angle
 };
 

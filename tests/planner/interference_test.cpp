@@ -6,7 +6,6 @@
 
 #include "planner/contact.hpp"
 #include "planner/interference_shapes.hpp"
-#include "planner/sphere_tree.hpp"
 #include "tests/planner/scenes.hpp"
 
 namespace volute::planner {
@@ -92,82 +91,6 @@ TEST(Interference, ClearanceBoundsMotion) {
     }
   }
   EXPECT_GT(tried, 30);
-}
-
-TEST(Interference, MachineLinksThatTouchAtZeroAreJoined) {
-  kinematics::Machine machine = testing::ac_head();
-  machine.gauge_at_zero_M.translation() = Vec3(0, 0, 300);
-  machine.shapes = {{3, "spindle", testing::box(Vec3(-30, -30, 300), Vec3(30, 30, 400))},
-                    {4, "fork", testing::box(Vec3(-50, -50, 390), Vec3(50, 50, 500))}};
-  Scene scene;
-  scene.obstacles = {testing::box(Vec3(100, -50, 0), Vec3(120, 50, 350))};
-  const kinematics::Setup setup;
-  const Interference check(scene, testing::ball_tool(), &machine, &setup);
-  ASSERT_TRUE(check.has_machine());
-  const ToolPose pose{Vec3(0, 0, 200), Vec3::UnitZ()};
-  kinematics::AxisVector q = kinematics::AxisVector::Zero();
-  EXPECT_TRUE(check.is_free(pose, q));
-  q[0] = 80.0;  // the spindle's box reaches the obstacle
-  EXPECT_FALSE(check.is_free(pose, q));
-}
-
-TEST(SphereTree, PointDistanceIsExact) {
-  const auto mesh = testing::sheet(-20, 20, -20, 20, 1.3,
-                                   [](double x, double y) { return 3.0 * std::sin(0.2 * x) * std::cos(0.15 * y); });
-  const SphereTree tree(mesh);
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> any(-1.0, 1.0);
-  for (int n = 0; n < 200; ++n) {
-    const Vec3 p(25 * any(random), 25 * any(random), 10 * any(random));
-    // Independent: the nearest of many points on each triangle can only be farther, by less than the sampling.
-    double sampled = 1e9;
-    for (const auto& t : mesh.triangles) {
-      const Vec3 &a = mesh.vertices_mm[static_cast<std::size_t>(t[0])],
-                 &b = mesh.vertices_mm[static_cast<std::size_t>(t[1])],
-                 &c = mesh.vertices_mm[static_cast<std::size_t>(t[2])];
-      if ((a - p).norm() > sampled + 3.0) continue;
-      for (int i = 0; i <= 8; ++i) {
-        for (int j = 0; i + j <= 8; ++j)
-          sampled = std::min(sampled, (a + (b - a) * i / 8.0 + (c - a) * j / 8.0 - p).norm());
-      }
-    }
-    const double exact = tree.point_distance_mm(p, 100.0);
-    EXPECT_LE(exact, sampled + 1e-12);
-    EXPECT_GT(exact, sampled - 0.12);
-    EXPECT_EQ(tree.point_distance_mm(p, 0.5 * exact), 0.5 * exact);
-  }
-}
-
-TEST(SphereTree, ParityTellsInside) {
-  const SphereTree tree(testing::box(Vec3(-1, -2, -3), Vec3(1, 2, 3)));
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> any(-4.0, 4.0);
-  for (int n = 0; n < 500; ++n) {
-    const Vec3 p(any(random), any(random), any(random));
-    EXPECT_EQ(tree.contains(p), std::abs(p.x()) < 1 && std::abs(p.y()) < 2 && std::abs(p.z()) < 3) << p.transpose();
-  }
-}
-
-TEST(SphereTree, ClearanceIsLowerBound) {
-  const auto mesh = testing::sheet(-20, 20, -20, 20, 1.0, [](double x, double y) { return 0.02 * x * y; });
-  const SphereTree tree(mesh);
-  std::mt19937 random(9);
-  std::uniform_real_distribution<double> any(-1.0, 1.0);
-  for (int n = 0; n < 100; ++n) {
-    const AxialCone cylinder{Vec3(15 * any(random), 15 * any(random), 12 + 6 * any(random)),
-                             Vec3(any(random), any(random), any(random)).normalized(),
-                             0.0,
-                             5.0,
-                             2.0,
-                             3.0};
-    double truth = 1e9;
-    for (const Vec3& v : mesh.vertices_mm) truth = std::min(truth, distance_bound_mm(cylinder, v));
-    const double bound = tree.clearance_mm(cylinder, 100.0);
-    if (bound > 0.0) {
-      EXPECT_LE(bound, truth);
-    }
-    EXPECT_GT(bound, truth - 2.5);
-  }
 }
 
 TEST(PlacedShape, GrownShapesHoldTheTrueOnesAndShrunkOnesAreInside) {
