@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "geometry/check.hpp"
 
@@ -29,6 +30,50 @@ double tip_arc_radius_mm(const Cutter& cutter) {
   if (has_ball_tip(cutter)) return cutter.radius_mm;
   return cutter.shape == CutterShape::flat ? 0.0 : cutter.corner_radius_mm;
 }
+
+/// The outline that a cutter touching the origin shows along the feed (x): across is y, the surface's normal z.
+/// Point t of a side is where the cutter's outward normal is (0, side sin t, -cos t).
+class Outline {
+ public:
+  Outline(const Cutter& cutter, const Vec3& axis)
+      : arc_(tip_arc_radius_mm(cutter)),
+        circle_(corner_circle_radius_mm(cutter)),
+        axis_(axis),
+        tip_(contact_pose(cutter, Vec3::Zero(), Vec3::UnitZ(), axis).tip_P_mm) {}
+
+  /// How far the outline reaches to one side, at the height; where the rounded part ends below it along the flank, or,
+  /// where that leans back, no farther.
+  [[nodiscard]] double reach_mm(double side, double height_mm) const {
+    const double lean = side * axis_.y();
+    double low = 0.0, high = lean > 0.0 ? std::atan2(axis_.z(), lean) : 0.5 * std::numbers::pi;
+    Vec3 below = Vec3::Zero(), above = point(side, high);
+    if (above.z() < height_mm) {
+      const double along_flank = lean > 0.0 ? (height_mm - above.z()) * lean / axis_.z() : 0.0;
+      return side * above.y() + along_flank;
+    }
+    // The flat bottom is one angle: there the outline jumps, and the height lies on the line between both ends.
+    for (int round = 0; round < 60; ++round) {
+      const double middle = 0.5 * (low + high);
+      const Vec3 p = point(side, middle);
+      (p.z() < height_mm ? low : high) = middle;
+      (p.z() < height_mm ? below : above) = p;
+    }
+    const double rise = above.z() - below.z();
+    const double share = rise > 0.0 ? (height_mm - below.z()) / rise : 1.0;
+    return side * (below.y() + share * (above.y() - below.y()));
+  }
+
+ private:
+  [[nodiscard]] Vec3 point(double side, double angle_rad) const {
+    const Vec3 out(0.0, side * std::sin(angle_rad), -std::cos(angle_rad));
+    const Vec3 square = out - out.dot(axis_) * axis_;
+    const Vec3 rim = circle_ > 0.0 ? Vec3(circle_ * square.normalized()) : Vec3::Zero();
+    return tip_ + arc_ * axis_ + rim + arc_ * out;
+  }
+
+  double arc_, circle_;
+  Vec3 axis_, tip_;
+};
 
 }  // namespace
 
@@ -75,6 +120,20 @@ double effective_radius_mm(const Cutter& cutter, geometry::Angle tilt, geometry:
   // axis across it. The swept profile is the outline seen along the feed, whose radius is r1 r2 (cos^2/r1 + sin^2/r2).
   const double round_axis = arc + circle / sine;
   return round_axis * cos(yaw) * cos(yaw) + arc * sin(yaw) * sin(yaw);
+}
+
+double cleared_width_mm(const Cutter& cutter, geometry::Angle tilt, geometry::Angle yaw, double height_mm) {
+  const FeedFrame along_x{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  const Vec3 axis = tool_axis(along_x, tilt, yaw);
+  VOLUTE_CHECK(height_mm > 0.0 && axis.z() > 0.0, height_mm, tilt.radians());
+  const Outline outline(cutter, axis);
+  return outline.reach_mm(1.0, height_mm) + outline.reach_mm(-1.0, height_mm);
+}
+
+double clearing_radius_mm(const Cutter& cutter, geometry::Angle tilt, geometry::Angle yaw, double height_mm) {
+  if (has_ball_tip(cutter)) return cutter.radius_mm;
+  const double half_width = 0.5 * cleared_width_mm(cutter, tilt, yaw, height_mm);
+  return (half_width * half_width + height_mm * height_mm) / (2.0 * height_mm);
 }
 
 }  // namespace volute::planner

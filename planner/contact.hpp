@@ -26,8 +26,18 @@ Vec3 tool_axis(const FeedFrame& frame, geometry::Angle tilt, geometry::Angle yaw
 kinematics::ToolPose contact_pose(const kinematics::Cutter& cutter, const Vec3& contact_P_mm, const Vec3& normal_P,
                                   const Vec3& axis_P);
 
-/// Radius of the circle that the cutter's envelope shows across the feed at the contact: ball r; flat and bull by tilt
-/// and yaw. mm.
+/// Radius of curvature, at the contact, of the outline that the cutter shows along the feed: ball r; flat and bull by
+/// tilt and yaw; infinite for a flat bottom that lies on the surface. mm
 double effective_radius_mm(const kinematics::Cutter& cutter, geometry::Angle tilt, geometry::Angle yaw);
+
+/// Width that a straight pass over a plane clears up to `height_mm` above it: of the outline seen along the feed, exact
+/// for ball, flat and bull; above a taper-ball's ball the cone counts as a cylinder, which is narrower. mm
+/// Requires: height_mm > 0, tilt below 90 degrees. Property: passes so far apart leave scallops of that height.
+double cleared_width_mm(const kinematics::Cutter& cutter, geometry::Angle tilt, geometry::Angle yaw, double height_mm);
+
+/// Radius of the ball that clears as much up to `height_mm`: a ball's own radius, for others what takes its place in
+/// the interval formula. Between effective_radius_mm (small heights) and what the whole cutter allows. mm
+double clearing_radius_mm(const kinematics::Cutter& cutter, geometry::Angle tilt, geometry::Angle yaw,
+                          double height_mm);
 
 }  // namespace volute::planner

@@ -8,6 +8,7 @@
 #include "geometry/angle.hpp"
 #include "geometry/vector.hpp"
 #include "planner/field/field_options.hpp"
+#include "planner/surface/root_child.hpp"
 
 namespace volute::planner {
 
@@ -28,8 +29,10 @@ struct PathOptions {
   CutDirection cut_direction = CutDirection::any;
   double allowance_mm = 0.0;  ///< stock to leave on the surface
   int centre_loop = -1;       ///< boundary loop to end in (by falling length; 0 is the outer one); -1: chosen
-  std::optional<double> from_turn, to_turn;  ///< only a part of the surface, between two turns
-  double plane_angle_rad = 0.0;              ///< iso_planar: direction of the slicing planes about z
+  RootChild root_child = RootChild::nearest;  ///< paper, periodic: which hole is joined to the outer boundary
+  std::optional<Vec3> start_P_mm;             ///< spiral, contour_parallel: begin at the boundary nearest to this place
+  std::optional<double> from_turn, to_turn;   ///< only a part of the surface, between two turns
+  double plane_angle_rad = 0.0;               ///< iso_planar: direction of the slicing planes about z
 };
 
 enum class Smoothing { none, velocity, acceleration, field, corridor };
@@ -56,12 +59,18 @@ struct OrientationOptions {
   double gouge_tolerance_mm = 0.01;  ///< the cutter may go this deep
 };
 
+/// How the tool comes down to the surface, in the plane of path and normal: a tangent quarter circle, or a straight
+/// line at ramp_angle to the surface.
+enum class LeadShape { arc, ramp };
+
 struct ProcessOptions {
   double feed_mm_s = 250.0 / 60.0;
   double approach_feed_mm_s = 0.0;  ///< 0: as feed
   double spindle_rad_s = 0.0;
   double clearance_height_mm = 20.0;  ///< rapids run this far above the highest point of part and obstacles
-  double lead_radius_mm = 0.0;        ///< of the tangent arc that enters and leaves; 0: cutter radius
+  double lead_radius_mm = 0.0;        ///< of the tangent arc that enters and leaves, height of a ramp; 0: cutter radius
+  LeadShape lead_shape = LeadShape::arc;
+  Angle ramp_angle = Angle::degrees(15.0);  ///< of a ramp to the surface
 };
 
 }  // namespace volute::planner

@@ -10,6 +10,7 @@
 #include "planner/path/guided_path.hpp"
 #include "planner/path/path_interval.hpp"
 #include "planner/path/path_measure.hpp"
+#include "planner/path/start_point.hpp"
 
 namespace volute::planner {
 
@@ -21,11 +22,13 @@ namespace {
 Result<void> check_options(const kinematics::Cutter& cutter, const PathOptions& options,
                            const OrientationOptions& orientation) {
   const auto text = [](double x) { return geometry::short_text(x); };
-  const IntervalRule rule = interval_rule(cutter, 1.0, orientation);
-  if (!(options.scallop_mm > 0.0) || !(options.scallop_mm < rule.radius_mm))
+  if (!(options.scallop_mm > 0.0))
+    return bad_input("path-scallop", "path.scallop_mm = " + text(options.scallop_mm) + ": it must be above 0");
+  const double radius_mm = interval_rule(cutter, options.scallop_mm, orientation).radius_mm;
+  if (!(options.scallop_mm < radius_mm))
     return bad_input("path-scallop", "path.scallop_mm = " + text(options.scallop_mm) +
-                                         ": it must lie between 0 and the cutter's effective radius, " +
-                                         text(rule.radius_mm) + " mm");
+                                         ": it must lie below the radius that the cutter shows across the feed, " +
+                                         text(radius_mm) + " mm");
   if (!(options.tolerance_mm > 0.0))
     return bad_input("path-tolerance", "path.tolerance_mm = " + text(options.tolerance_mm) + ": it must be above 0");
   if (options.from_turn && options.to_turn && *options.from_turn >= *options.to_turn)
@@ -35,6 +38,10 @@ Result<void> check_options(const kinematics::Cutter& cutter, const PathOptions& 
   if (!guided && (options.from_turn || options.to_turn))
     return bad_input("path-turns",
                      "path.from_turn and path.to_turn work with the strategies spiral and contour-parallel only");
+  if (options.start_P_mm && (!guided || options.from_turn || options.to_turn))
+    return bad_input("path-start",
+                     "path.start_mm works with the strategies spiral and contour-parallel, on the whole surface: leave "
+                     "out path.from_turn and path.to_turn");
   return {};
 }
 
@@ -59,6 +66,19 @@ Result<SurfaceReport> check_surface(const geometry::TriangleMesh& surface) {
   return report;
 }
 
+/// Takes the even spiral to the start that the user wants, and says what it costs.
+Result<void> begin_even_at(const geometry::TriangleMesh& surface, const PathOptions& options, CcPathResult& result) {
+  if (!options.start_P_mm || result.path.pieces.empty()) return {};
+  const auto topology = MeshTopology::build(surface);
+  if (!topology) return tl::unexpected(topology.error());
+  const double added_mm = begin_at(result.path.pieces[0], surface, *topology, *options.start_P_mm, options.direction,
+                                   sense_of(options.cut_direction));
+  if (added_mm > 0.0)
+    result.report.notes.push_back("even: " + geometry::short_text(added_mm, 4) +
+                                  " mm along the first pass lead from path.start_mm to where the spiral begins");
+  return {};
+}
+
 /// The optimised field, finished as the other methods are; plan_even_spiral runs inward and counter-clockwise.
 Result<CcPathResult> plan_even(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
                                const PathOptions& options, const OrientationOptions& orientation) {
@@ -66,6 +86,7 @@ Result<CcPathResult> plan_even(const geometry::TriangleMesh& surface, const kine
   auto result = plan_even_spiral(mirror_image ? mirrored(surface) : surface, cutter, options, orientation);
   if (!result) return result;
   if (mirror_image) mirror(*result);
+  if (auto begun = begin_even_at(surface, options, *result); !begun) return tl::unexpected(begun.error());
   const IntervalField intervals(surface, interval_rule(cutter, options.scallop_mm, orientation));
   const CurveOptions curve = curve_options(cutter, options, orientation, intervals.rule());
   for (CcPiece& piece : result->path.pieces) {

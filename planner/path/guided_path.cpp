@@ -34,14 +34,15 @@ Result<CcPathResult> plan_guided_path(const geometry::TriangleMesh& surface, con
                                       const PathOptions& options, const OrientationOptions& orientation) {
   AnnulusOptions annulus_options;
   annulus_options.centre_loop = options.centre_loop;
+  annulus_options.root_child = options.root_child;
   const auto annulus = make_annulus(surface, annulus_options);
   if (!annulus) return tl::unexpected(annulus.error());
   const IntervalField intervals(annulus->whole, interval_rule(cutter, options.scallop_mm, orientation));
   const bool paper = options.method == Method::paper, spiral = options.strategy == Strategy::spiral;
   const auto field = paper ? paper_guide(*annulus, intervals) : periodic_guide(*annulus, intervals);
   if (!field) return tl::unexpected(field.error());
-  const Sense sense = sense_of(options.cut_direction);
-  auto path = spiral ? spiral_of(*annulus, *field, sense) : contours_of(*annulus, *field, sense);
+  const GuideOptions guide{sense_of(options.cut_direction), options.start_P_mm, options.direction};
+  auto path = spiral ? spiral_of(*annulus, *field, guide) : contours_of(*annulus, *field, guide);
   if (!path) return tl::unexpected(path.error());
   if (auto kept = keep_turns(path->stretches, options); !kept) return tl::unexpected(kept.error());
   CcPathResult result;

@@ -28,9 +28,7 @@ double IntervalRule::interval_mm(double curvature_per_mm) const {
 }
 
 IntervalRule interval_rule(const kinematics::Cutter& cutter, double scallop_mm, const OrientationOptions& orientation) {
-  constexpr double radius_over_cutter_max = 1e3;  // a flat cutter without tilt has an endless effective radius
-  const double radius_mm = std::min(effective_radius_mm(cutter, orientation.tilt, orientation.yaw),
-                                    radius_over_cutter_max * cutter.radius_mm);
+  const double radius_mm = clearing_radius_mm(cutter, orientation.tilt, orientation.yaw, scallop_mm);
   return {radius_mm, scallop_mm, 1.8 * cutter.radius_mm};
 }
 

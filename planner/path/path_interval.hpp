@@ -15,7 +15,7 @@ using geometry::TriangleMesh;
 
 /// How wide a cutter may step: path_interval_mm with its effective radius, and never wider than the cutter itself.
 struct IntervalRule {
-  double radius_mm = 3.0;  ///< across the feed, see effective_radius_mm
+  double radius_mm = 3.0;  ///< of the ball that clears as wide, see clearing_radius_mm
   double scallop_mm = 0.1;
   double interval_max_mm = 6.0;
   /// 1 + curvature * radius is taken as at least this: where the surface is hollow and nearly as tight as the cutter,
@@ -26,8 +26,9 @@ struct IntervalRule {
   [[nodiscard]] double interval_mm(double curvature_per_mm) const;
 };
 
-/// The effective radius comes from tilt and yaw; the interval is at most 0.9 of the cutter's diameter.
-/// Requires: 0 < scallop < radius (plan_cc_path checks it).
+/// The radius comes from the cutter's outline at scallop height, by tilt and yaw: on a plane the interval is exact for
+/// every cutter. The interval is at most 0.9 of the cutter's diameter.
+/// Requires: 0 < scallop, tilt below 90 degrees; for its use also scallop < radius (plan_cc_path checks it).
 IntervalRule interval_rule(const kinematics::Cutter& cutter, double scallop_mm, const OrientationOptions& orientation);
 
 /// The rule on every triangle of a mesh. Curvature: averaged tensor, geometry::triangle_curvature.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "geometry/mesh_measure.hpp"
+#include "planner/path/interval_measure.hpp"
 #include "planner/path/point_grid.hpp"
 #include "planner/path/scallop_map.hpp"
 
@@ -48,69 +49,14 @@ double seam_kink_deg(std::span<const Vec3> crossings, std::span<const Vec3> poin
   return worst / degree;
 }
 
-/// Samples of the path that belong to passes.
-struct TurnSamples {
-  std::vector<Vec3> points;
-  std::vector<double> turns;
-};
-TurnSamples turn_samples(const CcPath& path, double spacing_mm) {
-  TurnSamples samples;
-  for (const CcPiece& piece : path.pieces) {
-    for (std::size_t i = 1; i < piece.points.size(); ++i) {
-      const CcPoint &p = piece.points[i - 1], &q = piece.points[i];
-      if (q.link) continue;
-      const int parts = std::max(1, static_cast<int>(std::ceil((q.point_P_mm - p.point_P_mm).norm() / spacing_mm)));
-      for (int k = 0; k < parts; ++k) {
-        const double share = static_cast<double>(k) / parts;
-        samples.points.push_back(p.point_P_mm + share * (q.point_P_mm - p.point_P_mm));
-        samples.turns.push_back(p.turn + share * (q.turn - p.turn));
-      }
-    }
-  }
-  return samples;
-}
-
 /// Greatest distance from a turn to the next one over the interval allowed between them.
 double interval_ratio_max(const TriangleMesh& surface, const IntervalField& intervals, const CcPath& path) {
-  const double flat_mm = intervals.rule().interval_mm(0.0), reach_mm = 3.0 * flat_mm;
-  const TurnSamples samples = turn_samples(path, 0.125 * flat_mm);
-  const PointGrid grid(samples.points, flat_mm);
-  std::vector<Vec3> centroids;
-  for (const geometry::Triangle& t : surface.triangles) {
-    const auto at = [&](std::size_t k) -> const Vec3& { return surface.vertices_mm[static_cast<std::size_t>(t[k])]; };
-    centroids.emplace_back((at(0) + at(1) + at(2)) / 3.0);
-  }
-  const PointGrid triangles(centroids, flat_mm);
-  const auto normals = geometry::triangle_normals(surface);
-  double worst = 0.0;
-  const double turns_max = samples.turns.empty() ? 0.0 : *std::max_element(samples.turns.begin(), samples.turns.end());
-  for (std::size_t i = 0; i < samples.points.size(); i += 4) {
-    const Vec3& here = samples.points[i];
-    // The first turn's start and the last turn have no whole turn beside them.
-    if (samples.turns[i] < 0.05 || samples.turns[i] > turns_max - 1.05) continue;
-    double nearest_mm = reach_mm;
-    std::size_t next = i;
-    grid.near(here, reach_mm, [&](Index j) {
-      const auto k = static_cast<std::size_t>(j);
-      const double distance = (samples.points[k] - here).norm(), turns = samples.turns[k] - samples.turns[i];
-      if (distance >= nearest_mm || turns < 0.6 || turns > 1.4) return;
-      nearest_mm = distance;
-      next = k;
-    });
-    if (next == i) continue;
-    const Vec3 middle = 0.5 * (here + samples.points[next]);
-    std::optional<std::size_t> triangle;
-    triangles.near(middle, flat_mm, [&](Index j) {
-      const auto k = static_cast<std::size_t>(j);
-      if (!triangle || (centroids[k] - middle).squaredNorm() < (centroids[*triangle] - middle).squaredNorm())
-        triangle = k;
-    });
-    if (!triangle) continue;
-    Vec3 across = samples.points[next] - here;
-    across -= across.dot(normals[*triangle]) * normals[*triangle];
-    if (across.isZero()) continue;
-    worst = std::max(worst, nearest_mm / intervals.interval_mm(static_cast<Index>(*triangle), across.normalized()));
-  }
+  double worst = 0.0, turns_max = 0.0;
+  for (const CcPiece& piece : path.pieces)
+    for (const CcPoint& p : piece.points) turns_max = std::max(turns_max, p.turn);
+  // The first turn's start and the last turn have no whole turn beside them.
+  for (const IntervalSample& sample : interval_samples(surface, intervals, path))
+    if (sample.turn >= 0.05 && sample.turn <= turns_max - 1.05) worst = std::max(worst, sample.ratio);
   return worst;
 }
 

@@ -18,10 +18,11 @@ std::size_t span_of(const std::vector<double>& knots, double x) {
   return static_cast<std::size_t>((above == last ? last - 1 : above - 1) - knots.begin());
 }
 
-/// The four cubic basis functions on span s at x (Cox, de Boor), first one N_{s-3}.
-std::array<double, 4> basis(const std::vector<double>& knots, std::size_t s, double x) {
-  std::array<double, 4> n{1.0, 0.0, 0.0, 0.0}, left{}, right{};
-  for (std::size_t j = 1; j <= 3; ++j) {
+/// The basis functions of a degree that do not vanish on span s, at x (Cox, de Boor); the first is N_{s - Degree}.
+template <std::size_t Degree>
+std::array<double, Degree + 1> basis(const std::vector<double>& knots, std::size_t s, double x) {
+  std::array<double, Degree + 1> n{1.0}, left{}, right{};
+  for (std::size_t j = 1; j <= Degree; ++j) {
     left[j] = x - knots[s + 1 - j];
     right[j] = knots[s + j] - x;
     double saved = 0.0;
@@ -83,7 +84,7 @@ PathSpline::PathSpline(std::span<const double> parameter, const Eigen::MatrixXd&
   for (double w : weight) weight_sum += w;
   for (std::size_t i = 0; i < parameter.size(); ++i) {
     const std::size_t s = span_of(knots_, parameter[i]);
-    const auto n = basis(knots_, s, parameter[i]);
+    const auto n = basis<3>(knots_, s, parameter[i]);
     const bool end = i == 0 || i + 1 == parameter.size();
     const double w = end ? 1e6 * weight_sum / static_cast<double>(parameter.size()) : weight[i];
     system.add_square(s - 3, n, w);
@@ -99,7 +100,7 @@ PathSpline::PathSpline(std::span<const double> parameter, const Eigen::MatrixXd&
 
 Eigen::RowVectorXd PathSpline::value(double parameter) const {
   const std::size_t s = span_of(knots_, parameter);
-  const auto n = basis(knots_, s, parameter);
+  const auto n = basis<3>(knots_, s, parameter);
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(control_.cols());
   for (std::size_t k = 0; k < 4; ++k) sum += n[k] * control_.row(static_cast<Eigen::Index>(s - 3 + k));
   return sum;
@@ -107,20 +108,7 @@ Eigen::RowVectorXd PathSpline::value(double parameter) const {
 
 Eigen::RowVectorXd PathSpline::derivative(double parameter) const {
   const std::size_t s = span_of(knots_, parameter);
-  // The derivative is the quadratic B-spline of the differences.
-  std::array<double, 3> n{1.0, 0.0, 0.0};
-  std::array<double, 3> left{}, right{};
-  for (std::size_t j = 1; j <= 2; ++j) {
-    left[j] = parameter - knots_[s + 1 - j];
-    right[j] = knots_[s + j] - parameter;
-    double saved = 0.0;
-    for (std::size_t r = 0; r < j; ++r) {
-      const double share = n[r] / (right[r + 1] + left[j - r]);
-      n[r] = saved + right[r + 1] * share;
-      saved = left[j - r] * share;
-    }
-    n[j] = saved;
-  }
+  const auto n = basis<2>(knots_, s, parameter);  // the derivative is the quadratic B-spline of the differences
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(control_.cols());
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = s - 3 + k;

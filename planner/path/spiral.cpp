@@ -107,6 +107,40 @@ class BoundaryArc {
   std::vector<double> share_;
 };
 
+double fraction(double x) { return x - std::floor(x); }
+
+/// The boundary that the path begins on, and how far around it the wanted start lies, 0 to 1.
+struct Start {
+  const std::vector<Index>& loop;
+  double share = 0.0, turns = 0.0;  ///< turns: of the field on this boundary
+};
+std::optional<Start> start_of(const Annulus& annulus, const GuideField& field, const GuideOptions& options) {
+  if (!options.start_P_mm) return std::nullopt;
+  const bool inward = options.direction == Direction::inward;
+  const std::vector<Index>& loop = inward ? annulus.outer : annulus.inner;
+  const auto off_sq = [&](Index v) { return (annulus.ring.vertices_mm[at(v)] - *options.start_P_mm).squaredNorm(); };
+  const auto nearest =
+      std::min_element(loop.begin(), loop.end(), [&](Index a, Index b) { return off_sq(a) < off_sq(b); });
+  const std::vector<double> share = turns_along(loop, field.around.vertex);
+  return Start{loop, share[static_cast<std::size_t>(nearest - loop.begin())], inward ? 0.0 : field.turn_count};
+}
+
+/// The level lines, modulo 1, of which one starts half a turn behind the wanted start (eq. 11 with another phase).
+double spiral_offset(const Annulus& annulus, const GuideField& field, const GuideOptions& options) {
+  const auto start = start_of(annulus, field, options);
+  if (!start) return 0.5;
+  const double sign = options.sense == Sense::counter_clockwise ? 1.0 : -1.0;
+  // The guide line leaves the outer boundary half a turn on, and meets the inner one half a turn before.
+  const double half_turn = options.direction == Direction::inward ? 0.5 * sign : -0.5 * sign;
+  return fraction(start->turns - sign * (field.around.vertex[at(start->loop.front())] + start->share + half_turn));
+}
+
+/// The coordinate around of the line on which contour-parallel passes begin.
+double link_offset(const Annulus& annulus, const GuideField& field, const GuideOptions& options) {
+  const auto start = start_of(annulus, field, options);
+  return start ? fraction(field.around.vertex[at(start->loop.front())] + start->share) : 0.5;
+}
+
 /// Middles of the edges at which the path crosses the seam.
 std::vector<Vec3> seam_crossings(const Annulus& annulus, const LevelLine& line) {
   std::set<std::array<Index, 2>> seam;
@@ -168,12 +202,13 @@ std::vector<RawPoint> place_all(const Placer& place, const std::vector<Index>& v
 }
 
 /// The line at a constant coordinate around from the outer boundary to the inner one: where links run.
-Result<std::vector<RawPoint>> link_line(const Annulus& annulus, const MeshTopology& topology, const GuideField& field) {
+Result<std::vector<RawPoint>> link_line(const Annulus& annulus, const MeshTopology& topology, const GuideField& field,
+                                        double offset) {
   std::vector<double> value = field.around.vertex;
   std::vector<std::array<double, 3>> jump = field.around.jump;
   for (auto& corners : jump)
     for (double& j : corners) j = -j;
-  const auto lines = trace_levels(annulus.ring, topology, {value, jump}, 0.5);
+  const auto lines = trace_levels(annulus.ring, topology, {value, jump}, offset);
   if (lines.empty() || lines.front().closed)
     return broken("no line runs from the outer boundary to the inner one", annulus.ring.vertices_mm[0]);
   const Placer place(annulus, field);
@@ -210,10 +245,10 @@ std::vector<std::vector<RawPoint>> passes_of(const Annulus& annulus, const MeshT
 
 }  // namespace
 
-Result<GuidePath> spiral_of(const Annulus& annulus, const GuideField& field, Sense sense) {
+Result<GuidePath> spiral_of(const Annulus& annulus, const GuideField& field, const GuideOptions& options) {
   const auto topology = MeshTopology::build(annulus.ring);
   if (!topology) return tl::unexpected(topology.error());
-  const auto lines = guide_lines(annulus, *topology, field, sense, 0.5);
+  const auto lines = guide_lines(annulus, *topology, field, options.sense, spiral_offset(annulus, field, options));
   if (lines.empty())
     return broken("no guide line starts on the outer boundary", annulus.ring.vertices_mm[at(annulus.outer[0])]);
   const LevelLine& spiral = lines.front();
@@ -227,7 +262,7 @@ Result<GuidePath> spiral_of(const Annulus& annulus, const GuideField& field, Sen
   path.seam_crossings_mm = seam_crossings(annulus, spiral);
   draw_in_map(annulus, field, spiral, path.map_lines);
   const Placer place(annulus, field);
-  const double half_turn = sense == Sense::counter_clockwise ? 0.5 : -0.5;
+  const double half_turn = options.sense == Sense::counter_clockwise ? 0.5 : -0.5;
   RawStretch whole;
   whole.points = place_all(place, outer.between(*start - half_turn, *start));
   for (const SurfacePoint& p : spiral.points) whole.points.push_back(place(p));
@@ -236,12 +271,12 @@ Result<GuidePath> spiral_of(const Annulus& annulus, const GuideField& field, Sen
   return path;
 }
 
-Result<GuidePath> contours_of(const Annulus& annulus, const GuideField& field, Sense sense) {
+Result<GuidePath> contours_of(const Annulus& annulus, const GuideField& field, const GuideOptions& options) {
   const auto topology = MeshTopology::build(annulus.ring);
   if (!topology) return tl::unexpected(topology.error());
-  const auto link = link_line(annulus, *topology, field);
+  const auto link = link_line(annulus, *topology, field, link_offset(annulus, field, options));
   if (!link) return tl::unexpected(link.error());
-  const auto passes = passes_of(annulus, *topology, field, sense);
+  const auto passes = passes_of(annulus, *topology, field, options.sense);
   GuidePath path;
   std::size_t link_at = 0;
   for (std::size_t i = 0; i < passes.size(); ++i) {

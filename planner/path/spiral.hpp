@@ -1,6 +1,7 @@
 // The spiral, and the contour-parallel passes, of a guide field: chains of raw points on the surface.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "planner/path/finish_path.hpp"
@@ -15,15 +16,24 @@ struct GuidePath {
   int lines_dropped = 0;  ///< level lines that are no part of the spiral (0 for a sound map)
 };
 
+/// Which way round, and where the path begins.
+struct GuideOptions {
+  Sense sense = Sense::counter_clockwise;
+  std::optional<Vec3> start_P_mm;           ///< the path begins at the vertex of its first boundary nearest to it
+  Direction direction = Direction::inward;  ///< outward: the first boundary is the inner one
+};
+
 /// One spiral from the outer boundary to the inner one: half a turn along the outer boundary, the guide line of eq. 11,
 /// half a turn along the inner boundary. Departs from the source: eq. 11 starts on the seam and leaves the boundaries'
 /// wedges uncut; here the guide line starts half a turn behind the seam and half turns along the boundaries belong to
-/// the path. Errors (bad_input): path-broken (the guide line does not reach the inner boundary; says where it ends).
-Result<GuidePath> spiral_of(const Annulus& annulus, const GuideField& field, Sense sense);
+/// the path. Property: with a start place the first CC point, in the direction asked for, is the boundary's nearest to
+/// it, up to an edge. Errors (bad_input): path-broken (the guide line does not reach the inner boundary; says where it
+/// ends).
+Result<GuidePath> spiral_of(const Annulus& annulus, const GuideField& field, const GuideOptions& options);
 
 /// Closed passes at whole numbers of turns, eq. 10, from the outer boundary itself to the inner boundary itself, each
 /// joined to the next by a link across. Departs from the source: the inner boundary is a pass too. Errors (bad_input):
 /// path-broken.
-Result<GuidePath> contours_of(const Annulus& annulus, const GuideField& field, Sense sense);
+Result<GuidePath> contours_of(const Annulus& annulus, const GuideField& field, const GuideOptions& options);
 
 }  // namespace volute::planner

@@ -6,6 +6,7 @@
 
 #include "geometry/mesh.hpp"
 #include "geometry/result.hpp"
+#include "planner/surface/root_child.hpp"
 
 namespace volute::planner {
 
@@ -41,8 +42,5 @@ std::vector<Segment> segments_between(const std::vector<geometry::BoundaryLoop>&
 /// along all bridges.
 std::vector<Index> connected_boundary(const std::vector<geometry::BoundaryLoop>& curves,
                                       const std::vector<Bridge>& bridges);
-
-/// Which hole is the child of the outer boundary.
-enum class RootChild { nearest, farthest };
 
 }  // namespace volute::planner
