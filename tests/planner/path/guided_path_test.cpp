@@ -90,6 +90,77 @@ TEST(GuidedPath, TwoHolesNeedNoRetractAndKeepTheScallop) {
   }
 }
 
+/// flat_ring from other triangles: every second ring of vertices turned by half a cell (bricks), cells that grow
+/// `density` times from the inner rim to the outer one.
+TriangleMesh ring_of(int around, int across, bool bricks, double density) {
+  TriangleMesh mesh = samples::ring(1.0, 2.0, around, across);
+  for (std::size_t v = 0; v < mesh.vertices_mm.size(); ++v) {
+    Vec3& p = mesh.vertices_mm[v];
+    const std::size_t row = v / static_cast<std::size_t>(around);
+    const double share = static_cast<double>(row) / across;
+    const double grown = density > 1.0 ? (std::pow(density, share) - 1.0) / (density - 1.0) : share;
+    const double angle = std::atan2(p.y(), p.x()) + (bricks && row % 2 == 1 ? std::numbers::pi / around : 0.0);
+    p = (6.0 + 20.0 * grown) * Vec3(std::cos(angle), std::sin(angle), 0.0);
+  }
+  return mesh;
+}
+
+TEST(GuidedPath, StretchedTrianglesAndUnevenDensityChangeThePathLittle) {
+  // Bricks at the outer rim: 2.55 mm long and 0.11 mm high, angles 5 to 170 degrees. Graded: 0.05 to 1 mm.
+  const TriangleMesh bricks = ring_of(64, 180, true, 1.0), graded = ring_of(120, 60, true, 20.0);
+  for (Method method : {Method::periodic, Method::paper}) {
+    const auto reference = planned(flat_ring(), asked(Strategy::spiral, method));
+    ASSERT_TRUE(reference);
+    for (const TriangleMesh* mesh : {&bricks, &graded}) {
+      const auto result = planned(*mesh, asked(Strategy::spiral, method));
+      ASSERT_TRUE(result) << result.error().message;
+      EXPECT_EQ(result->report.pieces, 1);
+      EXPECT_EQ(result->surface.map_flips.value(), 0);
+      EXPECT_LT(result->report.scallop_ratio_p9999.value(), 1.05);
+      EXPECT_NEAR(result->report.length_ratio / reference->report.length_ratio, 1.0, 0.05)
+          << (mesh == &bricks ? "bricks" : "graded");
+    }
+  }
+}
+
+TEST(GuidedPath, StartsAtTheBoundaryNearestToAPlace) {
+  for (Method method : {Method::periodic, Method::paper})
+    for (Strategy strategy : {Strategy::spiral, Strategy::contour_parallel})
+      for (Direction direction : {Direction::inward, Direction::outward})
+        for (CutDirection cut : {CutDirection::climb, CutDirection::conventional})
+          for (double angle : {0.3, 2.0, 4.4}) {
+            PathOptions options = asked(strategy, method);
+            options.direction = direction;
+            options.cut_direction = cut;
+            options.start_P_mm = 40.0 * Vec3(std::cos(angle), std::sin(angle), 0.0);
+            const auto result = planned(flat_ring(), options);
+            ASSERT_TRUE(result) << result.error().message;
+            const double radius = direction == Direction::inward ? 26.0 : 6.0,
+                         edge = 2.0 * std::numbers::pi * radius / 160;
+            const Vec3& first = result->path.pieces[0].points.front().point_P_mm;
+            EXPECT_LT((first - radius * Vec3(std::cos(angle), std::sin(angle), 0.0)).norm(), 2.0 * edge)
+                << static_cast<int>(method) << static_cast<int>(strategy) << static_cast<int>(direction)
+                << static_cast<int>(cut) << " angle " << angle;
+            EXPECT_LT(result->report.scallop_ratio_max.value(), 1.02);
+          }
+}
+
+TEST(GuidedPath, TheFirstHoleIsTheNearestOrTheFarthest) {
+  samples::PlateOptions o;
+  o.columns = o.rows = 60;
+  o.holes = {{-13.0, 0.0, 4.0}, {2.0, 0.0, 4.0}};
+  const TriangleMesh surface = samples::plate(o);
+  for (RootChild child : {RootChild::nearest, RootChild::farthest}) {
+    PathOptions options = asked(Strategy::spiral, Method::periodic);
+    options.root_child = child;
+    const auto result = planned(surface, options);
+    ASSERT_TRUE(result) << result.error().message;
+    const Vec3 end = result->map.bridges_P[0].back();  // the bridge from the outer boundary
+    const double hole_x = child == RootChild::nearest ? -13.0 : 2.0;
+    EXPECT_NEAR(std::hypot(end.x() - hole_x, end.y()), 4.0, 0.4);
+  }
+}
+
 TEST(GuidedPath, ADiskEndsInItsMiddle) {
   samples::PlateOptions o;
   o.columns = o.rows = 50;
@@ -160,6 +231,13 @@ TEST(PlanCcPath, SaysWhatIsWrongWithTheJob) {
   PathOptions options = asked(Strategy::spiral, Method::periodic);
   options.tolerance_mm = -1.0;
   EXPECT_EQ(planned(flat_ring(), options).error().code, "path-tolerance");
+  options.tolerance_mm = 0.01;
+  options.start_P_mm = Vec3::Zero();
+  options.to_turn = 2.0;
+  EXPECT_EQ(planned(flat_ring(), options).error().code, "path-start");
+  options.to_turn.reset();
+  options.strategy = Strategy::iso_planar;
+  EXPECT_EQ(planned(flat_ring(), options).error().code, "path-start");
   const TriangleMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                  {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
   EXPECT_EQ(planned(tetrahedron, asked(Strategy::iso_planar, Method::paper)).error().code, "surface-closed");

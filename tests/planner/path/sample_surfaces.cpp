@@ -81,10 +81,47 @@ bool snap_to_rim(Vec3& v, const std::vector<Hole>& holes, double reach_mm) {
   return false;
 }
 
+/// The same where cells are not square: along one axis by less than half a cell.
+bool snap_along_axes(Vec3& v, const std::vector<Hole>& holes, double cell_x, double cell_y) {
+  for (const Hole& h : holes) {
+    const double dx = v.x() - h.x_mm, dy = v.y() - h.y_mm;
+    const double rim_y = std::copysign(std::sqrt(std::max(0.0, h.radius_mm * h.radius_mm - dx * dx)), dy);
+    const double rim_x = std::copysign(std::sqrt(std::max(0.0, h.radius_mm * h.radius_mm - dy * dy)), dx);
+    if (std::abs(dx) < h.radius_mm && std::abs(dy - rim_y) < 0.5 * cell_y) {
+      v.y() = h.y_mm + rim_y;
+      return true;
+    }
+    if (std::abs(dy) < h.radius_mm && std::abs(dx - rim_x) < 0.5 * cell_x) {
+      v.x() = h.x_mm + rim_x;
+      return true;
+    }
+  }
+  return false;
+}
+
 bool in_hole(const Vec3& v, const std::vector<Hole>& holes) {
   return std::any_of(holes.begin(), holes.end(), [&](const Hole& h) {
     return std::hypot(v.x() - h.x_mm, v.y() - h.y_mm) < h.radius_mm * (1.0 - 1e-9);
   });
+}
+
+}  // namespace
+
+namespace {
+
+/// 0 to 1 in `cells` steps that grow evenly until the last is `density` times the first.
+double graded(int i, int cells, double density) {
+  const double share = static_cast<double>(i) / cells;
+  return density > 1.0 ? (std::pow(density, share) - 1.0) / (density - 1.0) : share;
+}
+
+/// Moves an inner vertex onto a near rim, as the kind of cells asks for.
+bool snapped(Vec3& v, const PlateOptions& o, int i, int j) {
+  const double cell_x = o.width_mm / o.columns, cell_y = o.depth_mm / o.rows;
+  if (!o.bricks && o.density <= 1.0) return snap_to_rim(v, o.holes, 0.5 * std::min(cell_x, cell_y));
+  return snap_along_axes(v, o.holes,
+                         o.width_mm * (graded(i + 1, o.columns, o.density) - graded(i, o.columns, o.density)),
+                         o.depth_mm * (graded(j + 1, o.rows, o.density) - graded(j, o.rows, o.density)));
 }
 
 }  // namespace
@@ -96,10 +133,11 @@ TriangleMesh plate(const PlateOptions& o) {
   const double cell_x = o.width_mm / o.columns, cell_y = o.depth_mm / o.rows;
   for (int j = 0; j <= o.rows; ++j)
     for (int i = 0; i <= o.columns; ++i) {
-      Vec3 v((static_cast<double>(i) / o.columns - 0.5) * o.width_mm,
-             (static_cast<double>(j) / o.rows - 0.5) * o.depth_mm, 0.0);
+      Vec3 v((graded(i, o.columns, o.density) - 0.5) * o.width_mm, (graded(j, o.rows, o.density) - 0.5) * o.depth_mm,
+             0.0);
       const bool inner = i > 0 && j > 0 && i < o.columns && j < o.rows;
-      const bool on_rim = inner && snap_to_rim(v, o.holes, 0.5 * std::min(cell_x, cell_y));
+      if (inner && o.bricks && j % 2 == 1) v.x() += 0.5 * cell_x;
+      const bool on_rim = inner && snapped(v, o, i, j);
       if (inner && !on_rim && o.jitter > 0.0) v += o.jitter * Vec3(cell_x * unit(random), cell_y * unit(random), 0.0);
       grid.vertices_mm.push_back(v);
     }
@@ -112,7 +150,7 @@ TriangleMesh plate(const PlateOptions& o) {
   for (int j = 0; j < o.rows; ++j)
     for (int i = 0; i < o.columns; ++i) {
       const Index a = j * (o.columns + 1) + i, b = a + 1, d = a + o.columns + 1, c = d + 1;
-      const bool up = o.random_diagonals ? unit(random) > 0.0 : (i + j) % 2 == 0;
+      const bool up = o.bricks ? j % 2 == 1 : o.random_diagonals ? unit(random) > 0.0 : (i + j) % 2 == 0;
       if (up) {
         add(a, b, c);
         add(a, c, d);
@@ -183,6 +221,24 @@ TriangleMesh random_plate(std::uint32_t seed, int holes) {
     v.z() = bump_mm * std::sin(v.x() / length_mm) * std::cos(v.y() / length_mm) + noise_mm * (2.0 * unit(random) - 1.0);
   }
   return mesh;
+}
+
+TriangleMesh stretched_plate(std::uint32_t seed, int holes) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  PlateOptions o;
+  o.seed = seed;
+  o.bricks = random() % 2 == 0;
+  o.columns = o.bricks ? 16 + static_cast<int>(random() % 6) : 50;
+  o.rows = o.bricks ? o.columns * (8 + static_cast<int>(random() % 18)) : 50;
+  o.density = o.bricks ? 1.0 : 2.0 + 10.0 * unit(random);
+  const std::vector<Hole> places{{10.0, 9.0, 4.5}, {-9.0, 10.0, 4.0}, {9.0, -9.0, 3.5}, {-10.0, -10.0, 4.0}};
+  o.holes.assign(places.begin(), places.begin() + holes);
+  for (Hole& h : o.holes) {
+    h.x_mm += 2.0 * unit(random);
+    h.y_mm += 2.0 * unit(random);
+  }
+  return plate(o);
 }
 
 int case_count(int otherwise) {

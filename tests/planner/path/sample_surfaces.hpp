@@ -23,7 +23,9 @@ struct PlateOptions {
   double width_mm = 40.0, depth_mm = 40.0;
   int columns = 40, rows = 40;
   std::vector<Hole> holes;
-  double jitter = 0.0;  ///< inner vertices move by up to this share of a cell
+  bool bricks = false;   ///< every second row shifted by half a cell: obtuse triangles where cells are flat
+  double density = 1.0;  ///< cells in the last corner are this much larger, along both sides, than in the first
+  double jitter = 0.0;   ///< inner vertices move by up to this share of a cell
   bool random_diagonals = false;
   std::function<double(double x, double y)> height;  ///< empty: flat
   double noise_mm = 0.0;                             ///< along z
@@ -32,6 +34,10 @@ struct PlateOptions {
 
 /// A rectangle about the origin. Vertices near a hole's rim are moved onto it; triangles inside are left out.
 TriangleMesh plate(const PlateOptions& options);
+
+/// A flat plate of cells up to 25 to 1 in bricks (angles from 4 to 171 degrees), or of cells up to 12 times larger at
+/// one corner than at the other, with up to 4 holes. The same seed gives the same surface.
+TriangleMesh stretched_plate(std::uint32_t seed, int holes);
 
 /// A flat ring about the origin, `around` by `across` cells, outer loop counter-clockwise.
 TriangleMesh ring(double inner_mm, double outer_mm, int around, int across);

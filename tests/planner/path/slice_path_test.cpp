@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "geometry/mesh_measure.hpp"
@@ -78,6 +79,33 @@ TEST_F(SlicePathTest, AHoleInTheWayIsAnErrorAndTheBridgeRunsAlongEdges) {
   EXPECT_FALSE(bridge->sliced);
   for (std::size_t i = 1; i + 1 < bridge->path.size(); ++i)
     EXPECT_FALSE(topology_.is_boundary_vertex(bridge->path[i].a));
+}
+
+TEST_F(SlicePathTest, BothCasesOfThePaper) {
+  // [Sun2016] 2.2.2: through vertices where the plane meets them (case 1), else through edges (case 2).
+  samples::PlateOptions o;
+  o.columns = o.rows = 10;
+  o.width_mm = o.depth_mm = 10.0;
+  const TriangleMesh grid = samples::plate(o);
+  const auto topology = MeshTopology::build(grid).value();
+  const auto normals = geometry::vertex_normals(grid);
+  const auto through = [&](const Vec3& from, const Vec3& to) {
+    return slice_path(grid, topology, normals, nearest_vertex(grid, from), nearest_vertex(grid, to)).value();
+  };
+  const SurfacePath along_row = through({-5, 1, 0}, {5, 1, 0});
+  EXPECT_EQ(along_row.size(), 11U);
+  for (const SurfacePoint& p : along_row) EXPECT_TRUE(p.is_vertex());
+  const SurfacePath across = through({-5, -3, 0}, {5, 4, 0});
+  int on_edges = 0;
+  for (const SurfacePoint& p : across) {
+    on_edges += p.is_vertex() ? 0 : 1;
+    const Vec3 at = position_mm(grid, p);
+    if (!p.is_vertex()) {
+      EXPECT_NEAR(at.y() + 3.0, 0.7 * (at.x() + 5.0), 1e-12) << "in the plane";
+    }
+  }
+  EXPECT_GT(on_edges, 10);
+  EXPECT_LT(length_mm(grid, across), 1.02 * std::hypot(10.0, 7.0)) << "some points moved to vertices";
 }
 
 TEST_F(SlicePathTest, TheShortestEdgePathOfAGridIsItsTaxiLength) {

@@ -72,6 +72,40 @@ TEST(SurfaceMaps, NoTriangleFlipsOnRandomSurfaces) {
   RecordProperty("surfaces_with_raised_weights", raised);
 }
 
+TEST(SurfaceMaps, NoTriangleFlipsOnStretchedTrianglesAndUnevenDensity) {
+  const int cases = samples::case_count(8);
+  for (int i = 0; i < cases; ++i) {
+    const auto seed = static_cast<std::uint32_t>(7000 + i);
+    const auto annulus = make_annulus(samples::stretched_plate(seed, i % 5));
+    ASSERT_TRUE(annulus) << "seed " << seed << ": " << annulus.error().message;
+    const auto rectangle = rectangle_map(*annulus);
+    ASSERT_TRUE(rectangle) << "seed " << seed << ": " << rectangle.error().message;
+    EXPECT_EQ(flipped_in_rectangle(*annulus, *rectangle), 0) << "seed " << seed;
+    const auto cylinder = cylinder_map(*annulus);
+    ASSERT_TRUE(cylinder) << "seed " << seed << ": " << cylinder.error().message;
+    EXPECT_EQ(cylinder->quality.flips, 0) << "seed " << seed;
+  }
+}
+
+TEST(SurfaceMaps, StretchedPlatesHaveTheAnglesTheyAreMeantToHave) {
+  samples::PlateOptions o;
+  o.bricks = true;
+  o.columns = 20;
+  o.rows = 500;
+  const TriangleMesh mesh = samples::plate(o);
+  double least = 180.0, greatest = 0.0;
+  for (const geometry::Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 &p = mesh.vertices_mm[at(t[k])], &q = mesh.vertices_mm[at(t[(k + 1) % 3])],
+                 &r = mesh.vertices_mm[at(t[(k + 2) % 3])];
+      const double angle = std::atan2((q - p).cross(r - p).norm(), (q - p).dot(r - p)) * 180.0 / std::numbers::pi;
+      least = std::min(least, angle);
+      greatest = std::max(greatest, angle);
+    }
+  EXPECT_LT(least, 5.0);
+  EXPECT_GT(greatest, 170.0);
+}
+
 TEST(GeodesicDistance, OnAFlatRingIsTheRadiusLeft) {
   const TriangleMesh ring = samples::ring(5.0, 20.0, 120, 60);
   std::vector<Index> outer;
