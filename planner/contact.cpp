@@ -51,8 +51,9 @@ class Outline {
       const double along_flank = lean > 0.0 ? (height_mm - above.z()) * lean / axis_.z() : 0.0;
       return side * above.y() + along_flank;
     }
-    // The flat bottom is one angle: there the outline jumps, and the height lies on the line between both ends.
-    for (int round = 0; round < 60; ++round) {
+    // The flat bottom is one angle: there the outline jumps, and the height lies on the line between both ends. 40
+    // rounds end 1e-12 rad beside it, where the rim's direction still has four digits.
+    for (int round = 0; round < 40; ++round) {
       const double middle = 0.5 * (low + high);
       const Vec3 p = point(side, middle);
       (p.z() < height_mm ? low : high) = middle;
