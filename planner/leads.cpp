@@ -51,32 +51,42 @@ Leads::Leads(const kinematics::Tool& tool, const Interference& interference, con
       interference_(&interference),
       process_(&process),
       clearance_z_mm_(clearance_z_mm),
-      radius_mm_(process.lead_radius_mm > 0.0 ? process.lead_radius_mm : tool.cutter.radius_mm) {}
+      radius_mm_(process.lead_radius_mm > 0.0 ? process.lead_radius_mm : tool.cutter.radius_mm) {
+  VOLUTE_CHECK(process.ramp_angle.radians() > 0.0 && process.ramp_angle.radians() < 0.5 * std::numbers::pi,
+               process.ramp_angle.radians());
+}
 
-/// Tangent arcs of a quarter turn, of a smaller radius, then straight along the normal and along the axis.
+/// The shape asked for, smaller by halves, to both sides; then the other shape; then straight along the normal and
+/// along the axis.
 std::vector<Leads::Lead> Leads::lead_shapes(const ToolPathPoint& point, const Vec3& away) const {
-  std::vector<Lead> shapes;
-  for (const double radius : {radius_mm_, 0.5 * radius_mm_, 0.25 * radius_mm_}) {
-    for (const double side : {1.0, -1.0}) {
-      Lead arc;
-      for (int k = 1; k <= arc_points; ++k) {
-        const double a = 0.5 * std::numbers::pi * k / arc_points;
-        arc.offsets_mm.push_back(radius * (side * std::sin(a) * away + (1.0 - std::cos(a)) * point.normal_P));
-      }
-      shapes.push_back(std::move(arc));
+  const auto arc = [&](double radius, double side) {
+    Lead lead;
+    for (int k = 1; k <= arc_points; ++k) {
+      const double a = 0.5 * std::numbers::pi * k / arc_points;
+      lead.offsets_mm.push_back(radius * (side * std::sin(a) * away + (1.0 - std::cos(a)) * point.normal_P));
     }
-  }
+    return lead;
+  };
+  const double run = 1.0 / std::tan(process_->ramp_angle.radians());
+  const auto ramp = [&](double height, double side) { return Lead{{height * (side * run * away + point.normal_P)}}; };
+  std::vector<Lead> shapes;
+  const bool ramp_first = process_->lead_shape == LeadShape::ramp;
+  for (const bool as_ramp : {ramp_first, !ramp_first})
+    for (const double share : {1.0, 0.5, 0.25})
+      for (const double side : {1.0, -1.0})
+        shapes.push_back(as_ramp ? ramp(share * radius_mm_, side) : arc(share * radius_mm_, side));
   shapes.push_back({{radius_mm_ * point.normal_P}});
   shapes.push_back({{radius_mm_ * point.pose.axis_P}});
   return shapes;
 }
 
-bool Leads::is_free_way(const ToolPose& from, const Vec3& to_P_mm) const {
+bool Leads::is_free_way(const ToolPose& from, const Vec3& to_P_mm, bool tip_counts) const {
   const double length = (to_P_mm - from.tip_P_mm).norm();
   const int steps = std::max(1, static_cast<int>(std::ceil(length / check_step_mm)));
   for (int k = 1; k <= steps; ++k) {
     const double t = static_cast<double>(k) / steps;
-    if (!interference_->is_free_but_tip({from.tip_P_mm + t * (to_P_mm - from.tip_P_mm), from.axis_P})) return false;
+    const ToolPose pose{from.tip_P_mm + t * (to_P_mm - from.tip_P_mm), from.axis_P};
+    if (!(tip_counts ? interference_->is_free(pose) : interference_->is_free_but_tip(pose))) return false;
   }
   return true;
 }
@@ -97,28 +107,30 @@ double Leads::safe_tip_z_mm(const Vec3& axis_P) const {
 
 /// From the end of a lead to clearance height: straight up when free, else out along the axis first. Empty: neither is
 /// free.
-std::vector<Vec3> Leads::way_up(const ToolPose& from) const {
+std::vector<Vec3> Leads::way_up(const ToolPose& from, bool tip_counts) const {
   const auto above = [&](const Vec3& p) { return Vec3(p.x(), p.y(), std::max(safe_tip_z_mm(from.axis_P), p.z())); };
-  if (is_free_way(from, above(from.tip_P_mm))) return {above(from.tip_P_mm)};
+  if (is_free_way(from, above(from.tip_P_mm), tip_counts)) return {above(from.tip_P_mm)};
   for (double out = axis_retract_min_mm; out <= 256.0; out *= 2.0) {
     const Vec3 aside = from.tip_P_mm + out * from.axis_P;
-    if (!is_free_way(from, aside)) return {};
-    if (is_free_way({aside, from.axis_P}, above(aside))) return {aside, above(aside)};
+    if (!is_free_way(from, aside, tip_counts)) return {};
+    if (is_free_way({aside, from.axis_P}, above(aside), tip_counts)) return {aside, above(aside)};
   }
   return {};
 }
 
 std::optional<Leads::Lead> Leads::free_lead(const ToolPathPoint& point, const Vec3& away) const {
+  // Where the ball does not fit the surface at the contact itself, no lead from there can be held to more.
+  const bool tip_counts = interference_->is_free(point.pose);
   for (Lead& shape : lead_shapes(point, away)) {
     ToolPose pose = point.pose;
     bool free = true;
     for (const Vec3& offset : shape.offsets_mm) {
       const Vec3 to = point.pose.tip_P_mm + offset;
-      free = free && is_free_way(pose, to);
+      free = free && is_free_way(pose, to, tip_counts);
       pose.tip_P_mm = to;
     }
     if (!free) continue;
-    const std::vector<Vec3> up = way_up(pose);
+    const std::vector<Vec3> up = way_up(pose, tip_counts);
     if (up.empty()) continue;
     for (const Vec3& p : up) shape.offsets_mm.push_back(p - point.pose.tip_P_mm);
     return shape;

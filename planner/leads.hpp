@@ -11,11 +11,18 @@
 namespace volute::planner {
 
 /// Adds to an oriented piece what goes before its first and after its last cut, the axis held as it is there:
-/// a rapid at clearance height, down to above the lead, and a tangent arc onto the surface (where that is not free: a
-/// steeper arc, a ramp along the normal, then along the tool axis); the same backwards to leave.
+/// a rapid at clearance height, down to above the lead, and a tangent arc or a straight ramp onto the surface (where
+/// that is not free: a smaller one, to the other side, the other shape, straight along the normal or the tool axis);
+/// the same backwards to leave.
+/// Properties:
+/// 1. An arc is a quarter circle that is tangent to path and surface at the CC point.
+/// 2. A ramp stands at ramp_angle to the surface.
+/// 3. No pose of a lead, sampled every 0.5 mm, touches anything; the tip's ball counts where it fits the contact.
+/// 4. Rapids between pieces keep the whole assembly above the clearance height while the axis turns.
 class Leads {
  public:
   /// `clearance_z_mm`: nothing of part, obstacles and fixtures stands higher. Arguments outlive it.
+  /// Requires: 0 < ramp_angle < 90 degrees.
   Leads(const kinematics::Tool& tool, const Interference& interference, const ProcessOptions& process,
         double clearance_z_mm);
 
@@ -27,13 +34,14 @@ class Leads {
   void append(kinematics::ToolPath& whole, const kinematics::ToolPath& piece) const;
 
  private:
+  /// From the surface outwards, relative to the tip.
   struct Lead {
     std::vector<Vec3> offsets_mm;
-  };  ///< from the surface outwards, relative to the tip
+  };
   [[nodiscard]] std::vector<Lead> lead_shapes(const kinematics::ToolPathPoint& point, const Vec3& away) const;
   [[nodiscard]] std::optional<Lead> free_lead(const kinematics::ToolPathPoint& point, const Vec3& away) const;
-  [[nodiscard]] bool is_free_way(const kinematics::ToolPose& from, const Vec3& to_P_mm) const;
-  [[nodiscard]] std::vector<Vec3> way_up(const kinematics::ToolPose& from) const;
+  [[nodiscard]] bool is_free_way(const kinematics::ToolPose& from, const Vec3& to_P_mm, bool tip_counts) const;
+  [[nodiscard]] std::vector<Vec3> way_up(const kinematics::ToolPose& from, bool tip_counts) const;
   [[nodiscard]] double safe_tip_z_mm(const Vec3& axis_P) const;
 
   const kinematics::Tool* tool_;
