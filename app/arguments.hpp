@@ -59,9 +59,14 @@ struct MachinesArguments {
 struct RenderArguments {
   path folder;
 };
+struct ReproduceArguments {
+  std::vector<std::string> items;  ///< empty: all
+  path out;
+};
 
-using CommandArguments = std::variant<RunArguments, PlanArguments, PostArguments, SimulateArguments, CompareArguments,
-                                      FieldArguments, InspectArguments, MachinesArguments, RenderArguments>;
+using CommandArguments =
+    std::variant<RunArguments, PlanArguments, PostArguments, SimulateArguments, CompareArguments, FieldArguments,
+                 InspectArguments, MachinesArguments, RenderArguments, ReproduceArguments>;
 
 struct CommandLine {
   CommonArguments common;

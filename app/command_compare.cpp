@@ -7,6 +7,9 @@
 #include "app/pipeline.hpp"
 #include "app/report.hpp"
 #include "geometry/number_text.hpp"
+#include "view/comparison_html.hpp"
+#include "view/figure_sheet.hpp"
+#include "view/pictures.hpp"
 
 namespace volute::app {
 
@@ -43,7 +46,49 @@ Result<std::vector<NamedStrategy>> chosen(const std::vector<std::string>& names)
   return list;
 }
 
-Result<Json> run_strategy(JobInputs& inputs, const NamedStrategy& strategy, const OutputFolder& out, Context& context) {
+/// The columns of Table 2, and length and time.
+const std::vector<std::string> table_heading{"rapids",    "lifts",       "links",  "corners", "uncut",
+                                             "length mm", "feed mm/min", "loss %", "time s"};
+
+std::vector<std::string> table_cells(const Json& row) {
+  const Json& path = row["path"];
+  const Json& run = row["run"];
+  const bool uncut = row.contains("machining") && row["machining"]["uncut"].get<bool>();
+  const auto count = [&](const char* key) { return std::to_string(path[key].get<int>()); };
+  return {count("rapid_traversals"),
+          count("liftings"),
+          count("linkings"),
+          count("sharp_corners"),
+          uncut ? "Y" : "N",
+          fixed_text(path["length_mm"].get<double>(), 0),
+          fixed_text(run["actual_feed_mm_min"].get<double>(), 1),
+          fixed_text(run["feed_loss_percent"].get<double>(), 2),
+          fixed_text(run["cycle_time_s"].get<double>(), 1)};
+}
+
+/// The strategy's part of the joint page.
+Result<view::ComparedRun> compared_run(const view::RunView& view, const NamedStrategy& strategy, const Json& report) {
+  view::ComparedRun run{strategy.name, view.findings.empty(), {}, table_cells(report), {}, {}};
+  run.verdict = view.findings.empty()
+                    ? "The virtual machine found nothing wrong."
+                    : std::to_string(view.findings.size()) + " findings. " + view.findings.front().text;
+  run.report_link = std::string(strategy.name) + "/report.html";
+  const view::PictureStyle style = view::panel_style(720, 540);
+  if (auto added = view::add_panel(run.pictures, "path on the part", view::path_picture(view, style)); !added)
+    return tl::unexpected(added.error());
+  if (auto added = view::add_panel(run.pictures, "feed that the machine reached",
+                                   view::coloured_path_picture(view, view::PathColour::feed, style));
+      !added)
+    return tl::unexpected(added.error());
+  if (!view.cut || view.cut->vertex_deviation_mm.size() != view.surface_P.vertices_mm.size()) return run;
+  if (auto added = view::add_panel(run.pictures, "machined surface: deviation", view::machined_picture(view, style));
+      !added)
+    return tl::unexpected(added.error());
+  return run;
+}
+
+Result<Json> run_strategy(JobInputs& inputs, const NamedStrategy& strategy, const OutputFolder& out,
+                          view::Comparison& page, Context& context) {
   inputs.job.path.strategy = strategy.strategy;
   const auto plan = plan_job(inputs, context.progress());
   if (!plan) return tl::unexpected(plan.error());
@@ -68,8 +113,11 @@ Result<Json> run_strategy(JobInputs& inputs, const NamedStrategy& strategy, cons
   if (auto written = folder->write("report.json", report.dump(2) + "\n"); !written)
     return tl::unexpected(written.error());
   if (auto pictures = view::write_pictures(view, folder->folder()); !pictures) return tl::unexpected(pictures.error());
-  if (auto page = view::write_report_html(view, folder->file("report.html")); !page)
-    return tl::unexpected(page.error());
+  if (auto written = view::write_report_html(view, folder->file("report.html")); !written)
+    return tl::unexpected(written.error());
+  auto compared = compared_run(view, strategy, report);
+  if (!compared) return tl::unexpected(compared.error());
+  page.runs.push_back(std::move(*compared));
   return report;
 }
 
@@ -77,28 +125,22 @@ std::string column(const std::string& text, std::size_t width) {
   return std::string(text.size() < width ? width - text.size() : 0, ' ') + text;
 }
 
+constexpr std::array<std::size_t, 9> column_widths{8, 7, 7, 9, 7, 11, 13, 9, 9};
+
 std::string table_2(const Json& rows) {
-  std::string text =
-      "  strategy            rapids  lifts  links  corners  uncut  length mm  feed mm/min   loss %   time s\n";
+  std::string text = "  strategy          ";
+  for (std::size_t i = 0; i < table_heading.size(); ++i) text += column(table_heading[i], column_widths[i]);
+  text += "\n";
   for (const Json& row : rows) {
     const std::string name = row["strategy"].get<std::string>();
+    text += "  " + name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ');
     if (row.contains("error")) {
-      text += "  " + name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ') + "  " +
-              row["error"].get<std::string>() + "\n";
+      text += "  " + row["error"].get<std::string>() + "\n";
       continue;
     }
-    const Json& path = row["path"];
-    const Json& run = row["run"];
-    const bool uncut = row.contains("machining") && row["machining"]["uncut"].get<bool>();
-    text += "  " + name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ') +
-            column(std::to_string(path["rapid_traversals"].get<int>()), 8) +
-            column(std::to_string(path["liftings"].get<int>()), 7) +
-            column(std::to_string(path["linkings"].get<int>()), 7) +
-            column(std::to_string(path["sharp_corners"].get<int>()), 9) + column(uncut ? "Y" : "N", 7) +
-            column(fixed_text(path["length_mm"].get<double>(), 0), 11) +
-            column(fixed_text(run["actual_feed_mm_min"].get<double>(), 1), 13) +
-            column(fixed_text(run["feed_loss_percent"].get<double>(), 2), 9) +
-            column(fixed_text(run["cycle_time_s"].get<double>(), 1), 9) + "\n";
+    const std::vector<std::string> cells = table_cells(row);
+    for (std::size_t i = 0; i < cells.size(); ++i) text += column(cells[i], column_widths[i]);
+    text += "\n";
   }
   return text;
 }
@@ -112,15 +154,19 @@ Result<int> compare(const CompareArguments& arguments, Context& context) {
   const auto out = OutputFolder::make(arguments.out.empty() ? path(inputs->job.name + "-comparison") : arguments.out);
   if (!out) return tl::unexpected(out.error());
   Json rows = Json::array();
+  view::Comparison page{inputs->job.name + " on " + inputs->profile.name + ": paths compared", table_heading, {}};
   for (const NamedStrategy& strategy : *strategies) {
-    auto row = run_strategy(*inputs, strategy, *out, context);
+    auto row = run_strategy(*inputs, strategy, *out, page, context);
     if (!row && row.error().kind == geometry::ErrorKind::system) return tl::unexpected(row.error());
+    if (!row) page.runs.push_back({strategy.name, false, row.error().message, {}, {}, {}});
     rows.push_back(row ? *row : Json{{"strategy", strategy.name}, {"error", row.error().message}});
   }
   const Json report{{"job", inputs->job.name}, {"profile", inputs->profile.name}, {"strategies", rows}};
   if (auto written = out->write("comparison.json", report.dump(2) + "\n"); !written)
     return tl::unexpected(written.error());
-  context.print(report, table_2(rows));
+  if (auto written = view::write_comparison_html(page, out->file("report.html")); !written)
+    return tl::unexpected(written.error());
+  context.print(report, table_2(rows) + "  report            " + out->file("report.html").string() + "\n");
   const bool found = std::any_of(rows.begin(), rows.end(),
                                  [](const Json& row) { return row.contains("error") || !row["findings"].empty(); });
   return found ? exit_found : exit_clean;

@@ -5,6 +5,7 @@
 
 #include "app/arguments.hpp"
 #include "app/exit_status.hpp"
+#include "app/reproduce/item.hpp"
 
 namespace volute::app {
 
@@ -34,6 +35,7 @@ struct Places {
   InspectArguments inspect;
   MachinesArguments machines;
   RenderArguments render;
+  ReproduceArguments reproduce;
 };
 
 CLI::App* add_command(CLI::App& app, CommonArguments& common, const char* name, const char* text) {
@@ -114,6 +116,14 @@ void add_other_commands(CLI::App& app, Places& places) {
   machines->add_option("NAME", places.machines.name, "Profile name or path");
   CLI::App* render = add_command(app, places.common, "render", "The pictures of a run again, from its files");
   render->add_option("DIR", places.render.folder, "Folder that `volute run` or `volute simulate` wrote")->required();
+  CLI::App* reproduce = add_command(app, places.common, "reproduce",
+                                    "Tables and figures of [Sun2016] and [Huang2016]: the paper's value beside ours");
+  reproduce->add_option("ITEM", places.reproduce.items, "What to make (default: all, which takes minutes)");
+  reproduce->add_option("--out", places.reproduce.out,
+                        "Folder for reproduction.md and figures/reproduction (default: reproduction)");
+  reproduce->footer("Items: " + reproduction_names() +
+                    "\nExample: volute reproduce table-2 figure-20 --out docs\n"
+                    "Sections of other items that stand in reproduction.md are kept.");
 }
 
 CommandArguments chosen(const CLI::App& app, const Places& places) {
@@ -126,7 +136,8 @@ CommandArguments chosen(const CLI::App& app, const Places& places) {
   if (name == "field") return places.field;
   if (name == "inspect") return places.inspect;
   if (name == "machines") return places.machines;
-  return places.render;
+  if (name == "render") return places.render;
+  return places.reproduce;
 }
 
 }  // namespace

@@ -15,5 +15,6 @@ int field_command(const FieldArguments& arguments, Context& context);
 int inspect_command(const InspectArguments& arguments, Context& context);
 int machines_command(const MachinesArguments& arguments, Context& context);
 int render_command(const RenderArguments& arguments, Context& context);
+int reproduce_command(const ReproduceArguments& arguments, Context& context);
 
 }  // namespace volute::app

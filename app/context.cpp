@@ -10,23 +10,26 @@ namespace volute::app {
 
 namespace {
 
-std::filesystem::path find_machines_folder() {
-  if (const char* named = std::getenv("VOLUTE_MACHINES"); named != nullptr && *named != '\0') return named;
+/// A folder that comes with the program: as the environment names it, else where the build or the installation has it.
+std::filesystem::path find_folder(const char* variable, const std::string& name, const char* known_file) {
+  if (const char* named = std::getenv(variable); named != nullptr && *named != '\0') return named;
   std::error_code ignored;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  const std::filesystem::path here = program.parent_path();
-  for (const char* candidate : {"../../machines", "../share/volute/machines", "../machines", "../../../machines"}) {
-    const std::filesystem::path folder = here / candidate;
-    if (std::filesystem::is_directory(folder / "controls", ignored))
+  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const char* candidate : {"../../", "../share/volute/", "../", "../../../"}) {
+    const std::filesystem::path folder = here / (candidate + name);
+    if (std::filesystem::exists(folder / known_file, ignored))
       return std::filesystem::weakly_canonical(folder, ignored);
   }
-  return here / "machines";
+  return here / name;
 }
 
 }  // namespace
 
 Context::Context(const CommonArguments& common)
-    : common_(common), progress_(common.quiet), machines_folder_(find_machines_folder()) {}
+    : common_(common),
+      progress_(common.quiet),
+      machines_folder_(find_folder("VOLUTE_MACHINES", "machines", "controls")),
+      examples_folder_(find_folder("VOLUTE_EXAMPLES", "examples", "mouse.toml")) {}
 
 void Context::print(const nlohmann::ordered_json& value, const std::string& text) {
   progress_.clear();

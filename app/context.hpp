@@ -22,6 +22,10 @@ class Context {
   /// ../share/volute/machines when installed).
   [[nodiscard]] const std::filesystem::path& machines_folder() const { return machines_folder_; }
 
+  /// Folder with the example jobs: $VOLUTE_EXAMPLES, else beside the program (../../examples of the build,
+  /// ../share/volute/examples when installed).
+  [[nodiscard]] const std::filesystem::path& examples_folder() const { return examples_folder_; }
+
   /// Standard output: the JSON value with --json, else the text.
   void print(const nlohmann::ordered_json& value, const std::string& text);
   /// One line on standard error, each.
@@ -32,7 +36,7 @@ class Context {
  private:
   CommonArguments common_;
   Progress progress_;
-  std::filesystem::path machines_folder_;
+  std::filesystem::path machines_folder_, examples_folder_;
 };
 
 }  // namespace volute::app

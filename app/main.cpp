@@ -24,6 +24,7 @@ struct Dispatch {
   int operator()(const InspectArguments& a) const { return inspect_command(a, context); }
   int operator()(const MachinesArguments& a) const { return machines_command(a, context); }
   int operator()(const RenderArguments& a) const { return render_command(a, context); }
+  int operator()(const ReproduceArguments& a) const { return reproduce_command(a, context); }
 };
 
 int carry_out(const CommandLine& line) {

@@ -1,5 +1,6 @@
 #include "view/axis_plots.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <numbers>
 
@@ -26,9 +27,24 @@ PlotSeries series_of(const RunView& view, int axis, Quantity quantity, double un
   return series;
 }
 
+/// What the axes do while cutting; rapids, which would press it flat, may leave the panel.
+std::optional<Vec2> cutting_range(const RunView& view, std::initializer_list<int> axes, Quantity quantity,
+                                  double unit) {
+  std::optional<Vec2> range;
+  for (const sim::AxisSample& sample : view.trace.samples) {
+    if (!sample.cutting) continue;
+    for (const int axis : axes) {
+      const double value = (sample.*quantity)[axis] * unit;
+      if (!range) range = Vec2(value, value);
+      *range = Vec2(std::min(range->x(), value), std::max(range->y(), value));
+    }
+  }
+  return range;
+}
+
 PlotPanel panel(const RunView& view, std::initializer_list<int> axes, Quantity quantity, double unit,
                 const std::string& label, double kinematics::Axis::*limit) {
-  PlotPanel result{label, {}, {}};
+  PlotPanel result{label, {}, {}, cutting_range(view, axes, quantity, unit)};
   for (const int axis : axes) {
     result.series.push_back(series_of(view, axis, quantity, unit));
     if (limit == nullptr) continue;
@@ -41,7 +57,7 @@ PlotPanel panel(const RunView& view, std::initializer_list<int> axes, Quantity q
 
 Plot axes_plot(const RunView& view, std::initializer_list<int> axes, double unit, const std::string& unit_name,
                const std::string& what) {
-  Plot plot{view.title + ": " + what, "time, s", {}};
+  Plot plot{view.title + ": " + what, "time, s (range of the cutting moves; rapids may leave the panels)", {}};
   plot.panels.push_back(panel(view, axes, &sim::AxisSample::position, unit, "position, " + unit_name, nullptr));
   plot.panels.push_back(panel(view, axes, &sim::AxisSample::velocity, unit, "velocity, " + unit_name + "/s",
                               &kinematics::Axis::velocity_max));
@@ -94,11 +110,11 @@ Plot rotary_plot(const RunView& view) { return axes_plot(view, {3, 4}, degrees_p
 Plot linear_plot(const RunView& view) { return axes_plot(view, {0, 1, 2}, 1.0, "mm", "linear axes"); }
 
 Plot feed_plot(const RunView& view) {
-  Plot plot{view.title + ": speed of the tool tip", "time, s", {}};
+  Plot plot{view.title + ": speed of the tool tip (rapids shown as 0)", "time, s", {}};
   PlotSeries speed{"tip", plot_colours()[0], {}};
   for (const sim::AxisSample& sample : view.trace.samples)
     speed.points.emplace_back(sample.time_s, sample.rapid ? 0.0 : sample.tip_speed_mm_s * 60.0);
-  plot.panels.push_back({"feed, mm/min (rapids shown as 0)", {std::move(speed)}, {}});
+  plot.panels.push_back({"feed, mm/min", {std::move(speed)}, {}});
   return plot;
 }
 
@@ -126,7 +142,12 @@ Plot deviation_plot(const RunView& view) {
   double total = 0.0;
   for (const std::int64_t count : cut.histogram) total += static_cast<double>(count);
   PlotSeries stairs{"surface", plot_colours()[0], {}};
-  for (std::size_t i = 0; i < cut.histogram.size(); ++i) {
+  const auto filled = [](std::int64_t count) { return count > 0; };
+  const auto first = std::find_if(cut.histogram.begin(), cut.histogram.end(), filled);
+  const auto last = std::find_if(cut.histogram.rbegin(), cut.histogram.rend(), filled).base();
+  const auto begin = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, first - cut.histogram.begin() - 1));
+  const std::size_t end = std::min(cut.histogram.size(), static_cast<std::size_t>(last - cut.histogram.begin()) + 1);
+  for (std::size_t i = begin; i < end; ++i) {
     const double share = total > 0.0 ? 100.0 * static_cast<double>(cut.histogram[i]) / total : 0.0;
     for (const std::size_t edge : {i, i + 1})
       stairs.points.emplace_back(cut.histogram_min_mm + static_cast<double>(edge) * cut.histogram_step_mm, share);

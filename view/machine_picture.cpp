@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "geometry/number_text.hpp"
 #include "view/pictures.hpp"
+#include "view/solids.hpp"
 
 namespace volute::view {
 
@@ -19,19 +19,10 @@ constexpr double profile_tolerance_mm = 0.02, near_reach = 1.6;
 constexpr Colour link_colour{0.72F, 0.77F, 0.83F}, cutter_colour{0.88F, 0.65F, 0.15F},
     shank_colour{0.73F, 0.75F, 0.78F}, holder_colour{0.35F, 0.38F, 0.42F}, way_colour{0.10F, 0.35F, 0.75F};
 
-/// A band of a body of revolution between two points of its profile, in T.
-void add_band(TriangleMesh& mesh, const kinematics::ProfilePoint& low, const kinematics::ProfilePoint& high) {
-  const auto first = static_cast<geometry::Index>(mesh.vertices_mm.size());
-  for (int k = 0; k < sectors; ++k) {
-    const double angle = 2.0 * std::numbers::pi * k / sectors;
-    for (const auto& point : {low, high})
-      mesh.vertices_mm.emplace_back(point.radius_mm * std::cos(angle), point.radius_mm * std::sin(angle), point.z_mm);
-  }
-  for (int k = 0; k < sectors; ++k) {
-    const geometry::Index a = first + 2 * k, b = first + 2 * ((k + 1) % sectors);
-    if (low.radius_mm > 0.0) mesh.triangles.push_back({a, b, a + 1});
-    if (high.radius_mm > 0.0) mesh.triangles.push_back({b, b + 1, a + 1});
-  }
+void append(TriangleMesh& to, const TriangleMesh& from) {
+  const auto first = static_cast<geometry::Index>(to.vertices_mm.size());
+  to.vertices_mm.insert(to.vertices_mm.end(), from.vertices_mm.begin(), from.vertices_mm.end());
+  for (const geometry::Triangle& t : from.triangles) to.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
 /// Cutter, shank and holder. Bands belong to the part in which their middle lies.
@@ -42,19 +33,15 @@ std::array<TriangleMesh, 3> tool_meshes(const kinematics::Tool& tool) {
     const double middle = 0.5 * (profile[i].z_mm + profile[i + 1].z_mm);
     const bool steps_up = profile[i].z_mm == profile[i + 1].z_mm && profile[i].z_mm >= tool.stick_out_mm;
     const std::size_t part = middle > tool.stick_out_mm || steps_up ? 2 : middle > tool.cutter.length_mm ? 1 : 0;
-    add_band(meshes[part], profile[i], profile[i + 1]);
+    append(meshes[part], revolution_mesh(std::array{profile[i], profile[i + 1]}, sectors));
   }
-  if (!profile.empty()) add_band(meshes[2], profile.back(), {profile.back().z_mm, 0.0});
+  if (!profile.empty())
+    append(meshes[2],
+           revolution_mesh(std::array{profile.back(), kinematics::ProfilePoint{profile.back().z_mm, 0.0}}, sectors));
   return meshes;
 }
 
-TriangleMesh moved(const TriangleMesh& mesh, const Transform& motion) {
-  TriangleMesh out = mesh;
-  for (Vec3& vertex : out.vertices_mm) vertex = motion * vertex;
-  return out;
-}
-
-/// The same with corners of its own for every triangle: boxes are seen with flat faces.
+/// The mesh with corners of its own for every triangle: boxes are seen with flat faces.
 TriangleMesh faceted(const TriangleMesh& mesh) {
   TriangleMesh out;
   for (const geometry::Triangle& triangle : mesh.triangles) {
@@ -73,7 +60,7 @@ std::vector<TriangleMesh> placed_links(const RunView& view, const kinematics::Ax
   std::vector<TriangleMesh> links;
   for (const kinematics::LinkShape& shape : machine.shapes)
     if (!close || shape.link != -1)
-      links.push_back(moved(faceted(shape.mesh_M), X_PM * kinematics::link_motion(machine, shape.link, q)));
+      links.push_back(moved_mesh(faceted(shape.mesh_M), X_PM * kinematics::link_motion(machine, shape.link, q)));
   return links;
 }
 
@@ -112,14 +99,15 @@ double shown_moment_s(const RunView& view) {
   return view.trace.samples.empty() ? 0.0 : 0.5 * view.trace.samples.back().time_s;
 }
 
-Result<Image> machine_picture(const RunView& view, double time_s, bool close) {
+Result<Image> machine_picture(const RunView& view, double time_s, bool close, const PictureStyle& style) {
   const std::size_t at = sample_at(view, time_s);
   const kinematics::Machine& machine = view.profile->machine;
   const kinematics::AxisVector& q = view.trace.samples[at].position;
   const Transform X_PM = view.setup.part_in_machine.inverse();
   const std::vector<TriangleMesh> links = placed_links(view, q, close);
   std::array<TriangleMesh, 3> tool = tool_meshes(view.tool);
-  for (TriangleMesh& mesh : tool) mesh = moved(mesh, X_PM * kinematics::forward(machine, view.tool.gauge_length_mm, q));
+  for (TriangleMesh& mesh : tool)
+    mesh = moved_mesh(mesh, X_PM * kinematics::forward(machine, view.tool.gauge_length_mm, q));
   Scene3d scene;
   add_solids(scene, view);
   for (const TriangleMesh& link : links) scene.meshes.push_back({&link, {}, link_colour, 1.0F});
@@ -127,11 +115,11 @@ Result<Image> machine_picture(const RunView& view, double time_s, bool close) {
   for (std::size_t i = 0; i < tool.size(); ++i) scene.meshes.push_back({&tool[i], {}, colours[i], 1.0F});
   scene.lines.push_back(way_so_far(view, at));
   const Box box = close ? near_box(view, view.trace.poses_P[at]) : grown_box(links, part_box(view));
-  Camera camera = standard_camera(box);
-  if (close) camera.half_depth = standard_camera(grown_box(links, box)).half_depth * 2.0;
+  Camera camera = standard_camera(box, style, RightSide::empty);
+  if (close) camera.half_depth = standard_camera(grown_box(links, box), style, RightSide::empty).half_depth * 2.0;
   const std::string when = "at " + geometry::fixed_text(view.trace.samples[at].time_s, 2) + " s, line " +
                            std::to_string(view.trace.samples[at].line);
-  return finished_picture(scene, camera, {view.title, {"machine, tool with holder and part " + when}});
+  return finished_picture(scene, camera, {view.title, {"machine, tool with holder and part " + when}}, style);
 }
 
 }  // namespace volute::view

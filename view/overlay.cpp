@@ -21,8 +21,8 @@ struct CairoCloser {
 using CairoPtr = std::unique_ptr<cairo_t, CairoCloser>;
 using SurfacePtr = std::unique_ptr<cairo_surface_t, CairoCloser>;
 
-/// Text sizes follow the picture: 1 at 1200 pixels of height.
-double size_unit(const Image& image) { return image.height / 1200.0; }
+/// Text sizes follow the picture: `text_scale` at 1200 pixels of height.
+double size_unit(const Image& image, const Overlay& overlay) { return overlay.text_scale * image.height / 1200.0; }
 
 void write(cairo_t* cairo, double x, double y, const std::string& text, double size, bool bold = false) {
   cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
@@ -32,15 +32,28 @@ void write(cairo_t* cairo, double x, double y, const std::string& text, double s
   cairo_show_text(cairo, text.c_str());
 }
 
-double text_width(cairo_t* cairo, const std::string& text, double size) {
-  cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+double text_width(cairo_t* cairo, const std::string& text, double size, bool bold = false) {
+  cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                         bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(cairo, size);
   cairo_text_extents_t extents;
   cairo_text_extents(cairo, text.c_str(), &extents);
   return extents.x_advance;
 }
 
+/// A light plate, so that words stay readable over whatever the picture has there.
+void draw_title_plate(cairo_t* cairo, const Overlay& overlay, double unit) {
+  double width = text_width(cairo, overlay.title, 32 * unit, true);
+  for (const std::string& note : overlay.notes) width = std::max(width, text_width(cairo, note, 24 * unit));
+  cairo_set_source_rgba(cairo, 1.0, 1.0, 1.0, 0.82);
+  cairo_rectangle(cairo, 22 * unit, 20 * unit, width + 28 * unit,
+                  54 * unit + 32 * unit * static_cast<double>(overlay.notes.size()));
+  cairo_fill(cairo);
+}
+
 void draw_title(cairo_t* cairo, const Overlay& overlay, double unit) {
+  if (overlay.title.empty() && overlay.notes.empty()) return;
+  draw_title_plate(cairo, overlay, unit);
   cairo_set_source_rgb(cairo, 0.1, 0.1, 0.1);
   write(cairo, 36 * unit, 58 * unit, overlay.title, 32 * unit, true);
   double y = 96 * unit;
@@ -51,7 +64,8 @@ void draw_title(cairo_t* cairo, const Overlay& overlay, double unit) {
 }
 
 void draw_bar(cairo_t* cairo, const Image& image, const ColourBar& bar, double unit) {
-  const double x = image.width - 190 * unit, width = 34 * unit, top = 190 * unit, height = image.height - 440 * unit;
+  const double x = image.width - 190 * unit, width = 34 * unit, top = 0.1 * image.height + 70 * unit,
+               height = 0.75 * image.height - 140 * unit;
   constexpr int steps = 256;
   for (int i = 0; i < steps; ++i) {
     const Colour colour = bar.colour(1.0 - (i + 0.5) / steps);
@@ -117,7 +131,11 @@ void draw_scale(cairo_t* cairo, const Image& image, const Camera& camera, double
 }
 
 void draw_keys(cairo_t* cairo, const Image& image, const std::vector<ColourKey>& keys, double unit) {
-  double y = 190 * unit;
+  double y = 0.1 * image.height + 70 * unit;
+  cairo_set_source_rgba(cairo, 1.0, 1.0, 1.0, 0.82);
+  cairo_rectangle(cairo, image.width - 345 * unit, y - 14 * unit, 330 * unit,
+                  keys.empty() ? 0.0 : 40 * unit * static_cast<double>(keys.size()) + 12 * unit);
+  cairo_fill(cairo);
   for (const ColourKey& key : keys) {
     const double x = image.width - 330 * unit;
     cairo_set_source_rgb(cairo, key.colour[0], key.colour[1], key.colour[2]);
@@ -143,7 +161,7 @@ void draw_overlay(Image& image, const Camera& camera, const Overlay& overlay) {
   const SurfacePtr surface(cairo_image_surface_create_for_data(image.bgra.data(), CAIRO_FORMAT_RGB24, image.width,
                                                                image.height, image.width * 4));
   const CairoPtr cairo(cairo_create(surface.get()));
-  const double unit = size_unit(image);
+  const double unit = size_unit(image, overlay);
   draw_title(cairo.get(), overlay, unit);
   if (overlay.bar != nullptr) draw_bar(cairo.get(), image, *overlay.bar, unit);
   draw_keys(cairo.get(), image, overlay.keys, unit);

@@ -29,6 +29,7 @@ struct Overlay {
   const ColourBar* bar = nullptr;
   bool triad = true, scale = true;
   std::vector<ColourKey> keys = {};  ///< a list at the right, under the bar's place
+  double text_scale = 1.0;           ///< times the size that suits 1200 pixels of height
 };
 
 /// Writes over `image` in place. The triad and the scale belong to `camera`.

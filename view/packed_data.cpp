@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "geometry/check.hpp"
 #include "geometry/number_text.hpp"
@@ -39,6 +40,28 @@ std::vector<std::uint32_t> coded_with(const std::vector<std::int32_t>& values, i
   std::vector<std::uint32_t> coded = differences(values, order);
   for (std::uint32_t& value : coded) value = zigzag(value);
   return coded;
+}
+
+std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t k = 4; k-- > 0;) value = (value << 8U) | static_cast<std::uint8_t>(bytes[at + k]);
+  return value;
+}
+
+/// A column out of its four planes.
+std::vector<double> column_values(std::string_view planes, std::size_t count, int order, double step) {
+  std::vector<std::uint32_t> steps(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint32_t coded = 0;
+    for (std::size_t plane = 4; plane-- > 0;)
+      coded = (coded << 8U) | static_cast<std::uint8_t>(planes[plane * count + i]);
+    steps[i] = (coded >> 1U) ^ (0U - (coded & 1U));
+  }
+  for (int pass = 0; pass < order; ++pass)
+    for (std::size_t i = 1; i < count; ++i) steps[i] += steps[i - 1];
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i) values[i] = static_cast<double>(static_cast<std::int32_t>(steps[i])) * step;
+  return values;
 }
 
 void append_u32(std::string& out, std::uint32_t value) {
@@ -119,6 +142,24 @@ void PackedData::add_coded(const std::string& name, const std::vector<std::int32
     for (const std::uint32_t value : best) planes_ += static_cast<char>((value >> shift) & 0xFFU);
   header_ += (header_.empty() ? "\"" : ",\"") + name + "\":{\"count\":" + std::to_string(values.size()) +
              ",\"step\":" + geometry::shortest_text(step) + ",\"order\":" + std::to_string(order) + "}";
+}
+
+std::optional<std::map<std::string, std::vector<double>>> unpacked_columns(std::string_view bytes) {
+  if (bytes.size() < 4) return std::nullopt;
+  const std::size_t header_size = u32_at(bytes, 0);
+  if (header_size > bytes.size() - 4) return std::nullopt;
+  const auto header = nlohmann::ordered_json::parse(bytes.substr(4, header_size), nullptr, false);
+  if (!header.is_object()) return std::nullopt;
+  std::map<std::string, std::vector<double>> columns;
+  std::size_t at = 4 + header_size;
+  for (const auto& [name, entry] : header.items()) {
+    const auto count = entry.value("count", std::size_t{0});
+    if (count > (bytes.size() - at) / 4) return std::nullopt;
+    columns[name] =
+        column_values(bytes.substr(at, 4 * count), count, entry.value("order", 0), entry.value("step", 1.0));
+    at += 4 * count;
+  }
+  return columns;
 }
 
 std::string PackedData::bytes() const {

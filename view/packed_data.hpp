@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,7 +13,7 @@ namespace volute::view {
 
 /// zlib stream (RFC 1950), as DecompressionStream("deflate") reads it.
 std::string zlib_bytes(std::string_view bytes);
-/// The inverse. Nothing when `bytes` is not a whole zlib stream. For tests.
+/// The inverse. Empty when `bytes` is not a whole zlib stream.
 std::string inflated_bytes(std::string_view bytes);
 /// RFC 4648 with padding.
 std::string base64_text(std::string_view bytes);
@@ -34,5 +36,8 @@ class PackedData {
   void add_coded(const std::string& name, const std::vector<std::int32_t>& values, double step);
   std::string header_, planes_;
 };
+
+/// The columns of PackedData::bytes by name. Nothing when `bytes` is not whole.
+std::optional<std::map<std::string, std::vector<double>>> unpacked_columns(std::string_view bytes);
 
 }  // namespace volute::view

@@ -11,10 +11,12 @@ namespace volute::view {
 
 namespace {
 
-using kinematics::MoveKind;
-
 const Vec3 default_view(-0.35, -0.9, 1.15);
-constexpr Colour obstacle_colour{0.72F, 0.60F, 0.52F};
+constexpr Colour obstacle_colour{0.72F, 0.60F, 0.52F}, surface_colour{0.90F, 0.92F, 0.94F};
+/// What a colour bar with its numbers, or a list of colours, takes at the right, in pixels of a picture 1200 high.
+constexpr double bar_width = 190.0, keys_width = 330.0;
+constexpr double titled_margin = 0.16, bare_margin = 0.06;
+constexpr double brightest_line = 0.88, line_lift_share = 0.008;
 
 }  // namespace
 
@@ -30,32 +32,12 @@ Box part_box(const RunView& view) {
 }
 
 void add_solids(Scene3d& scene, const RunView& view) {
-  if (!view.surface_P.triangles.empty()) scene.meshes.push_back({&view.surface_P, {}, {0.80F, 0.83F, 0.86F}, 1.0F});
+  if (!view.surface_P.triangles.empty()) scene.meshes.push_back({&view.surface_P, {}, surface_colour, 1.0F});
   for (const geometry::TriangleMesh& obstacle : view.obstacles_P)
     scene.meshes.push_back({&obstacle, {}, obstacle_colour, 1.0F});
 }
 
 namespace {
-
-double greatest_turn(const RunView& view) {
-  double most = 0.0;
-  for (const kinematics::ToolPathPoint& point : view.tool_path.points) most = std::max(most, point.turn);
-  return most;
-}
-
-/// Cutting moves on the surface, coloured by turn.
-ColouredLine planned_line(const RunView& view, double turns) {
-  ColouredLine line;
-  line.width_px = 1.4;
-  line.lift_mm = 0.3;
-  for (const kinematics::ToolPathPoint& point : view.tool_path.points) {
-    if (point.move != MoveKind::cut && point.move != MoveKind::link) continue;
-    line.points.push_back(point.contact_P_mm);
-    line.colours.push_back(point.move == MoveKind::link ? Colour{0.8F, 0.1F, 0.1F}
-                                                        : sequential_colour(turns > 0.0 ? point.turn / turns : 0.0));
-  }
-  return line;
-}
 
 /// What the machine did, for programs of others: coloured by the share of the run's time.
 std::vector<ColouredLine> traced_lines(const RunView& view) {
@@ -68,48 +50,78 @@ std::vector<ColouredLine> traced_lines(const RunView& view) {
     cutting = sample.cutting;
     if (!cutting) continue;
     lines.back().points.push_back(view.trace.poses_P[i].tip_P_mm);
-    lines.back().colours.push_back(sequential_colour(sample.time_s / end_s));
+    lines.back().colours.push_back(line_colour(sample.time_s / end_s));
   }
   return lines;
 }
 
 }  // namespace
 
-Result<Image> finished_picture(const Scene3d& scene, const Camera& camera, const Overlay& overlay) {
-  auto image = render(scene, camera, picture_width, picture_height);
+Colour line_colour(double share) { return sequential_colour(brightest_line * std::clamp(share, 0.0, 1.0)); }
+
+Result<Image> finished_picture(const Scene3d& scene, const Camera& camera, Overlay overlay, const PictureStyle& style) {
+  overlay.text_scale = style.text_scale;
+  if (!style.titled) {
+    overlay.title.clear();
+    overlay.notes.clear();
+  }
+  auto image = render(scene, camera, style.width_px, style.height_px);
   if (image) draw_overlay(*image, camera, overlay);
   return image;
 }
 
-Camera standard_camera(const Box& box) {
-  return fit_camera(box, default_view, static_cast<double>(picture_width) / picture_height, 0.22);
+Camera standard_camera(const Box& box, const PictureStyle& style, RightSide right) {
+  const double aspect = static_cast<double>(style.width_px) / style.height_px;
+  const double unit_px = style.text_scale * style.height_px / 1200.0;
+  const double words_px = right == RightSide::bar ? bar_width : right == RightSide::keys ? keys_width : 0.0;
+  const double room = words_px * unit_px / style.width_px;
+  Camera camera = fit_camera(box, default_view, aspect * (1.0 - room), style.titled ? titled_margin : bare_margin);
+  camera.aspect = aspect;
+  camera.target += room * camera.half_height * aspect * camera.right;
+  return camera;
 }
 
-Result<Image> path_picture(const RunView& view) {
+Camera camera_at(const RunView& view, const std::optional<Box>& place, const PictureStyle& style, RightSide right) {
+  const Box whole = part_box(view);
+  Camera camera = standard_camera(place.value_or(whole), style, right);
+  if (place) camera.half_depth += (whole.greatest - whole.least).norm();
+  return camera;
+}
+
+void add_named_lines(Scene3d& scene, Overlay& overlay, const std::vector<NamedLines>& lines, double lift_mm) {
+  for (const NamedLines& named : lines) {
+    for (const std::vector<Vec3>& line : named.lines_P_mm)
+      scene.lines.push_back({line, {}, named.colour, named.width_px, lift_mm});
+    if (!named.name.empty()) overlay.keys.push_back({named.name, named.colour});
+  }
+}
+
+Result<Image> part_picture(const RunView& view, const std::vector<NamedLines>& lines, const PictureStyle& style,
+                           const std::optional<Box>& shown) {
   Scene3d scene;
   add_solids(scene, view);
-  const double turns = greatest_turn(view);
-  const bool planned = !view.tool_path.points.empty();
-  ColourBar bar{planned ? "turn" : "time, s", 0.0,
-                planned ? turns : (view.trace.samples.empty() ? 0.0 : view.trace.samples.back().time_s),
-                sequential_colour};
-  if (planned)
-    scene.lines.push_back(planned_line(view, turns));
-  else
-    scene.lines = traced_lines(view);
-  const Camera camera = standard_camera(part_box(view));
-  return finished_picture(scene, camera,
-                          {view.title,
-                           {planned ? "tool path on the surface, coloured by turn of the spiral"
-                                    : "tool tip while cutting, coloured by time"},
-                           &bar});
+  Overlay overlay{view.title, {"the part"}};
+  const Box box = part_box(view);
+  add_named_lines(scene, overlay, lines, line_lift_share * (box.greatest - box.least).norm());
+  const RightSide right = overlay.keys.empty() ? RightSide::empty : RightSide::keys;
+  return finished_picture(scene, camera_at(view, shown, style, right), overlay, style);
 }
 
-Result<Image> machined_picture(const RunView& view) {
+Result<Image> path_picture(const RunView& view, const PictureStyle& style) {
+  if (!view.tool_path.points.empty()) return coloured_path_picture(view, PathColour::turn, style);
   Scene3d scene;
-  double range = 0.0;
+  add_solids(scene, view);
+  scene.lines = traced_lines(view);
+  const ColourBar bar{"time, s", 0.0, view.trace.samples.empty() ? 0.0 : view.trace.samples.back().time_s, line_colour};
+  return finished_picture(scene, camera_at(view, {}, style, RightSide::bar),
+                          {view.title, {"tool tip while cutting, coloured by time"}, &bar}, style);
+}
+
+Result<Image> machined_picture(const RunView& view, const PictureStyle& style, const MachinedFocus& focus) {
+  Scene3d scene;
+  double range = focus.range_mm.value_or(0.0);
   for (const double deviation : view.cut->vertex_deviation_mm)
-    if (std::isfinite(deviation)) range = std::max(range, std::abs(deviation));
+    if (!focus.range_mm && std::isfinite(deviation)) range = std::max(range, std::abs(deviation));
   if (range <= 0.0) range = 1.0;
   ShadedMesh machined{&view.surface_P, {}, {}, 1.0F};
   for (const double deviation : view.cut->vertex_deviation_mm)
@@ -117,10 +129,9 @@ Result<Image> machined_picture(const RunView& view) {
                                                                : Colour{0.15F, 0.15F, 0.15F});
   scene.meshes.push_back(std::move(machined));
   ColourBar bar{"deviation, mm", -range, range, [](double share) { return diverging_colour(2.0 * share - 1.0); }};
-  const Camera camera = standard_camera(part_box(view));
   return finished_picture(
-      scene, camera,
-      {view.title, {"machined surface: above zero is left, below is gouged; black: nothing came near"}, &bar});
+      scene, camera_at(view, focus.box, style, RightSide::bar),
+      {view.title, {"machined surface: above zero is left, below is gouged; black: nothing came near"}, &bar}, style);
 }
 
 }  // namespace volute::view

@@ -16,6 +16,8 @@ using geometry::Vec2;
 
 constexpr double plot_width = 1200, panel_height = 240, left = 110, right = 30, title_room = 64, bottom_room = 58,
                  gap = 18;
+/// Curves that leave the panel are drawn this far beyond it, under the clip.
+constexpr double clip_reach = 2000.0;
 /// A limit farther away than this many times the curve's own range is left out of the panel's range.
 constexpr double limit_reach = 1.6;
 
@@ -49,8 +51,11 @@ Range x_range(const Plot& plot) {
 
 Range y_range(const PlotPanel& panel) {
   Range range;
-  for (const PlotSeries& series : panel.series)
-    for (const Vec2& point : series.points) grow(range, point.y());
+  if (panel.y_range)
+    range = {panel.y_range->x(), panel.y_range->y()};
+  else
+    for (const PlotSeries& series : panel.series)
+      for (const Vec2& point : series.points) grow(range, point.y());
   if (range.least > range.greatest) return {0.0, 1.0};
   const double reach = limit_reach * std::max(std::abs(range.least), std::abs(range.greatest));
   for (const double limit : panel.limits)
@@ -117,8 +122,10 @@ std::string grid(const PanelFrame& frame, bool label_x) {
 
 std::string curve(const PlotSeries& series, const PanelFrame& frame) {
   std::string path;
-  for (const Vec2& point : thinned(series.points, frame.x))
-    path += (path.empty() ? "M" : "L") + fixed_text(frame.px(point.x()), 1) + " " + fixed_text(frame.py(point.y()), 1);
+  for (const Vec2& point : thinned(series.points, frame.x)) {
+    const double y = std::clamp(frame.py(point.y()), frame.top - clip_reach, frame.top + panel_height + clip_reach);
+    path += (path.empty() ? "M" : "L") + fixed_text(frame.px(point.x()), 1) + " " + fixed_text(y, 1);
+  }
   return "<path fill=\"none\" stroke-width=\"1.6\" stroke=\"" + series.colour + "\" d=\"" + path + "\"/>\n";
 }
 
@@ -132,9 +139,26 @@ std::string limit_lines(const PlotPanel& panel, const PanelFrame& frame) {
   return out;
 }
 
+/// The limits that are too far from the curves to be drawn, each once: "limits ±180, ±600 are farther out".
+std::string hidden_limits(const PlotPanel& panel, const PanelFrame& frame) {
+  std::vector<double> hidden;
+  for (const double limit : panel.limits)
+    if (limit < frame.y.least || limit > frame.y.greatest) hidden.push_back(std::abs(limit));
+  std::sort(hidden.begin(), hidden.end());
+  hidden.erase(std::unique(hidden.begin(), hidden.end()), hidden.end());
+  std::string words;
+  for (const double limit : hidden) words += (words.empty() ? "limits ±" : ", ±") + short_text(limit, 4);
+  return words.empty() ? words : words + " are farther out";
+}
+
 std::string legend(const PlotPanel& panel, const PanelFrame& frame) {
-  std::string out;
   double x = left + 12;
+  for (const PlotSeries& series : panel.series) x += 60 + 9.0 * static_cast<double>(series.name.size());
+  std::string out = "<rect x=\"" + fixed_text(left + 4, 0) + "\" y=\"" + fixed_text(frame.top + 3, 0) + "\" width=\"" +
+                    fixed_text(x - left - 30, 0) + "\" height=\"22\" fill=\"#fff\" fill-opacity=\"0.85\"/>\n";
+  if (const std::string words = hidden_limits(panel, frame); !words.empty())
+    out += text_at(plot_width - right - 8, frame.top + 19, words, "text-anchor=\"end\" fill=\"#b00020\"");
+  x = left + 12;
   for (const PlotSeries& series : panel.series) {
     out += "<path stroke-width=\"3\" stroke=\"" + series.colour + "\" d=\"M" + fixed_text(x, 0) + " " +
            fixed_text(frame.top + 14, 0) + "h22\"/>\n";
@@ -150,7 +174,12 @@ std::string panel_text(const PlotPanel& panel, const PanelFrame& frame, bool lab
          fixed_text(plot_width - left - right, 0) + "\" height=\"" + fixed_text(panel_height, 0) +
          "\" fill=\"none\" stroke=\"#444\"/>\n";
   out += limit_lines(panel, frame);
+  const std::string clip = "panel" + fixed_text(frame.top, 0);
+  out += "<clipPath id=\"" + clip + "\"><rect x=\"" + fixed_text(left, 0) + "\" y=\"" + fixed_text(frame.top, 0) +
+         "\" width=\"" + fixed_text(plot_width - left - right, 0) + "\" height=\"" + fixed_text(panel_height, 0) +
+         "\"/></clipPath>\n<g clip-path=\"url(#" + clip + ")\">\n";
   for (const PlotSeries& series : panel.series) out += curve(series, frame);
+  out += "</g>\n";
   const double middle = frame.top + panel_height / 2;
   out += "<text transform=\"translate(24 " + fixed_text(middle, 0) + ") rotate(-90)\" text-anchor=\"middle\">" +
          escaped(panel.y_label) + "</text>\n";

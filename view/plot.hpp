@@ -18,7 +18,8 @@ struct PlotSeries {
 struct PlotPanel {
   std::string y_label;  ///< quantity and unit
   std::vector<PlotSeries> series;
-  std::vector<double> limits;  ///< drawn as dashed lines, and kept in sight when the curves come near them
+  std::vector<double> limits;  ///< drawn as dashed lines when the curves come near them, else told in words
+  std::optional<geometry::Vec2> y_range = {};  ///< least and greatest value in sight; none: that of the curves
 };
 
 struct Plot {

@@ -7,6 +7,7 @@
 #include "view/axis_plots.hpp"
 #include "view/coarse_mesh.hpp"
 #include "view/packed_data.hpp"
+#include "view/trace_store.hpp"
 
 namespace volute::view {
 
@@ -200,7 +201,10 @@ void add_axis(PackedData& data, const RunView& view, int index) {
                  column_of(samples, [&](const auto& s) { return (s.position[index] - s.actual[index]) * unit; }));
 }
 
-std::string trace_bytes(const RunView& view) {
+std::string trace_bytes(const RunView& given) {
+  RunView view;
+  view.profile = given.profile;
+  view.trace = trace_as_stored(given.trace);  // so that a page made again from the run's files is the same
   PackedData data;
   const auto& samples = view.trace.samples;
   data.add("time", column_of(samples, [](const auto& s) { return s.time_s; }), time_step_s);

@@ -1,6 +1,7 @@
 // report.html: one page that needs no network. The numbers stand in it as JSON, the rest as packed data; view/page
 // shows them.
 #include "geometry/file.hpp"
+#include "view/html.hpp"
 #include "view/page_asset.hpp"
 #include "view/report_data.hpp"
 #include "view/run_view.hpp"
@@ -8,13 +9,6 @@
 namespace volute::view {
 
 namespace {
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text)
-    out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
-  return out;
-}
 
 /// JSON inside a script element: nothing in it may end the element.
 std::string safe_json(const std::string& json) {
@@ -38,20 +32,27 @@ std::string data_element(const PagePart& part) {
 
 /// What stands in the page before its program runs, and all of it where scripts are off.
 std::string first_words(const RunView& view) {
-  return "<header><h1>" + escaped(view.title) + "</h1><p id=\"verdict\" class=\"" +
-         (view.findings.empty() ? "passed" : "rejected") + "\">" + escaped(verdict_text(view)) +
+  return "<header><h1>" + html_escaped(view.title) + "</h1><p id=\"verdict\" class=\"" +
+         (view.findings.empty() ? "passed" : "rejected") + "\">" + html_escaped(verdict_text(view)) +
          "</p></header>\n<main id=\"page\"><noscript>The figures, the playback and the plots need JavaScript. " +
          "The same numbers stand in report.json beside this file.</noscript></main>\n";
 }
 
 }  // namespace
 
+std::string html_escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text)
+    out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
+  return out;
+}
+
 Result<void> write_report_html(const RunView& view, const std::filesystem::path& file) {
   std::string page =
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width,initial-scale=1\">"
       "<link rel=\"icon\" href=\"data:,\"><title>" +
-      escaped(view.title) + "</title>\n<style>";
+      html_escaped(view.title) + "</title>\n<style>";
   page.append(page_style());
   page += "</style></head>\n<body>\n" + first_words(view);
   for (const PagePart& part : page_parts(view)) page += data_element(part);

@@ -6,6 +6,7 @@
 #include "geometry/file.hpp"
 #include "view/axis_plots.hpp"
 #include "view/pictures.hpp"
+#include "view/trace_store.hpp"
 
 namespace volute::view {
 
@@ -34,6 +35,10 @@ template <PathColour colour>
 Result<Image> path_by(const RunView& view) {
   return coloured_path_picture(view, colour);
 }
+Result<Image> path_by_turn(const RunView& view) { return path_picture(view); }
+Result<Image> orientations(const RunView& view) { return orientation_picture(view); }
+Result<Image> map(const RunView& view) { return map_picture(view); }
+Result<Image> machined(const RunView& view) { return machined_picture(view); }
 Result<Image> whole_machine(const RunView& view) { return machine_picture(view, shown_moment_s(view), false); }
 Result<Image> near_machine(const RunView& view) { return machine_picture(view, shown_moment_s(view), true); }
 
@@ -45,20 +50,22 @@ bool has_masses(const RunView& view) {
 
 }  // namespace
 
-Result<std::vector<std::string>> write_pictures(const RunView& view, const std::filesystem::path& folder) {
+Result<std::vector<std::string>> write_pictures(const RunView& given, const std::filesystem::path& folder) {
+  RunView view = given;
+  view.trace = trace_as_stored(given.trace);
   const bool surface = !view.surface_P.triangles.empty();
   const bool planned = !view.tool_path.points.empty();
   const bool trace = view.profile.has_value() && !view.trace.samples.empty();
   const bool deviation =
       surface && view.cut && view.cut->vertex_deviation_mm.size() == view.surface_P.vertices_mm.size();
   const std::vector<PictureMaker> makers{
-      {"path.png", surface || trace, png(view, path_picture)},
+      {"path.png", surface || trace, png(view, path_by_turn)},
       {"path-feed.png", trace, png(view, path_by<PathColour::feed>)},
       {"path-limit.png", trace, png(view, path_by<PathColour::limit>)},
       {"path-tilt.png", planned, png(view, path_by<PathColour::tilt>)},
-      {"orientation.png", planned, png(view, orientation_picture)},
-      {"map.png", !view.map_triangles.empty(), png(view, map_picture)},
-      {"machined.png", deviation, png(view, machined_picture)},
+      {"orientation.png", planned, png(view, orientations)},
+      {"map.png", !view.map_triangles.empty() || !view.map_guide_lines.empty(), png(view, map)},
+      {"machined.png", deviation, png(view, machined)},
       {"machine.png", trace && !view.profile->machine.shapes.empty(), png(view, whole_machine)},
       {"machine-close.png", trace, png(view, near_machine)},
       {"rotary-axes.svg", trace, svg(view, rotary_plot)},

@@ -39,14 +39,15 @@ struct RunView {
   std::vector<std::vector<geometry::Vec2>> map_guide_lines;
 };
 
-/// Keeps a run's view in `folder` (view/*.ply, view.json, trace.bin ...) so that `volute render` can draw it again.
+/// Keeps a run's view in `folder` (view.cbor.z) so that `volute render` can draw it again.
 Result<void> save_view(const RunView& view, const std::filesystem::path& folder);
 /// Errors (bad_input): view-missing: the folder is not a run's.
 Result<RunView> load_view(const std::filesystem::path& folder);
 
 /// Every picture and plot that the view has data for, into `folder`; returns the file names written, in order:
-/// path.png (path on the part, coloured by turn), axes.svg (A and C over time with limits), feed.svg, orientation.png,
-/// machined.png (deviation with legend), map.png, machine.png, loads.svg ...
+/// path.png (path on the part, coloured by turn), orientation.png, machined.png (deviation with legend), map.png,
+/// machine.png, rotary-axes.svg (A and C over time with limits), feed.svg, loads.svg ... Property: a view that was
+/// saved and loaded gives the same bytes.
 Result<std::vector<std::string>> write_pictures(const RunView& view, const std::filesystem::path& folder);
 
 /// One self-contained page, no network: verdict, numbers, findings, 3D playback, axis plots.

@@ -1,9 +1,12 @@
-// A run's view as one file, view.cbor (RFC 8949, written by nlohmann::json): plain tables of doubles under named keys.
+// A run's view as one file, view.cbor.z: CBOR (RFC 8949, written by nlohmann::json) in a zlib stream. Tables of doubles
+// under named keys, the samples packed (trace_store.hpp).
 #include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "geometry/file.hpp"
+#include "view/packed_data.hpp"
 #include "view/run_view.hpp"
+#include "view/trace_store.hpp"
 
 namespace volute::view {
 
@@ -13,11 +16,8 @@ using Json = nlohmann::json;
 using geometry::Vec2;
 using geometry::Vec3;
 
-constexpr const char* file_name = "view.cbor";
-constexpr int layout_version = 1;
-/// time, 5 x (position, velocity, acceleration, jerk, actual), line, tip speed, limit, limiting axis, rapid, cutting,
-/// tip, axis.
-constexpr std::size_t sample_doubles = 1 + 25 + 6 + 6;
+constexpr const char* file_name = "view.cbor.z";
+constexpr int layout_version = 2;
 /// tip, axis, contact, normal, feed, turn, move.
 constexpr std::size_t point_doubles = 15;
 
@@ -27,6 +27,8 @@ Json binary(const std::vector<T>& values) {
   if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
   return Json::binary(std::move(bytes));
 }
+
+Json byte_string(std::string_view bytes) { return Json::binary(std::vector<std::uint8_t>(bytes.begin(), bytes.end())); }
 
 template <class T>
 std::vector<T> values_of(const Json& json) {
@@ -69,47 +71,6 @@ geometry::TriangleMesh mesh_of(const Json& json) {
   for (Vec3& vertex : mesh.vertices_mm) taker.into(vertex);
   mesh.triangles = values_of<geometry::Triangle>(json.at("triangles"));
   return mesh;
-}
-
-Json trace_json(const sim::TraceView& trace) {
-  std::vector<double> out;
-  out.reserve(trace.samples.size() * sample_doubles);
-  for (std::size_t i = 0; i < trace.samples.size(); ++i) {
-    const sim::AxisSample& sample = trace.samples[i];
-    out.push_back(sample.time_s);
-    for (const auto* vector : {&sample.position, &sample.velocity, &sample.acceleration, &sample.jerk, &sample.actual})
-      append(out, *vector);
-    for (const double value :
-         {static_cast<double>(sample.line), sample.tip_speed_mm_s, static_cast<double>(sample.limit),
-          static_cast<double>(sample.limiting_axis), sample.rapid ? 1.0 : 0.0, sample.cutting ? 1.0 : 0.0})
-      out.push_back(value);
-    append(out, trace.poses_P[i].tip_P_mm);
-    append(out, trace.poses_P[i].axis_P);
-  }
-  return binary(out);
-}
-
-sim::TraceView trace_of(const Json& json) {
-  sim::TraceView trace;
-  const auto values = values_of<double>(json);
-  Taker taker(values);
-  trace.samples.resize(values.size() / sample_doubles);
-  trace.poses_P.resize(trace.samples.size());
-  for (std::size_t i = 0; i < trace.samples.size(); ++i) {
-    sim::AxisSample& sample = trace.samples[i];
-    sample.time_s = taker.one();
-    for (auto* vector : {&sample.position, &sample.velocity, &sample.acceleration, &sample.jerk, &sample.actual})
-      taker.into(*vector);
-    sample.line = static_cast<std::int64_t>(taker.one());
-    sample.tip_speed_mm_s = taker.one();
-    sample.limit = static_cast<sim::Limit>(static_cast<int>(taker.one()));
-    sample.limiting_axis = static_cast<std::int8_t>(taker.one());
-    sample.rapid = taker.one() != 0.0;
-    sample.cutting = taker.one() != 0.0;
-    taker.into(trace.poses_P[i].tip_P_mm);
-    taker.into(trace.poses_P[i].axis_P);
-  }
-  return trace;
 }
 
 Json path_json(const kinematics::ToolPath& path) {
@@ -241,7 +202,6 @@ RunView view_of(const Json& json) {
   const auto setup = values_of<double>(json.at("setup"));
   view.setup.part_in_machine.matrix() = Eigen::Map<const Eigen::Matrix4d>(setup.data());
   view.tool_path = path_of(json.at("tool_path"));
-  view.trace = trace_of(json.at("trace"));
   if (json.contains("cut")) view.cut = cut_of(json.at("cut"));
   view.findings = findings_of(json.at("findings"));
   view.report_json = json.at("report");
@@ -276,7 +236,7 @@ Result<void> save_view(const RunView& view, const std::filesystem::path& folder)
             {"tool", tool_json(view.tool)},
             {"setup", binary(std::vector<double>(setup.data(), setup.data() + 16))},
             {"tool_path", path_json(view.tool_path)},
-            {"trace", trace_json(view.trace)},
+            {"trace", byte_string(packed_trace(view.trace))},
             {"findings", findings_json(view.findings)},
             {"report", view.report_json},
             {"program_name", view.program_name},
@@ -289,7 +249,7 @@ Result<void> save_view(const RunView& view, const std::filesystem::path& folder)
                        {"control", view.profile->control.file.string()}};
   const std::vector<std::uint8_t> bytes = Json::to_cbor(json);
   return geometry::write_file(folder / file_name,
-                              std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+                              zlib_bytes(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size())));
 }
 
 Result<RunView> load_view(const std::filesystem::path& folder) {
@@ -298,11 +258,17 @@ Result<RunView> load_view(const std::filesystem::path& folder) {
     return geometry::bad_input("view-missing", folder.string() + ": holds no " + file_name +
                                                    "; name a folder that volute run or volute simulate wrote");
   try {
-    const Json json = Json::from_cbor(*bytes);
+    const Json json = Json::from_cbor(inflated_bytes(*bytes));
     if (json.at("layout") != layout_version)
       return geometry::bad_input(
           "view-layout", (folder / file_name).string() + ": written by another version of Volute; run the job again");
     RunView view = view_of(json);
+    const auto& packed = json.at("trace").get_binary();
+    auto trace = unpacked_trace(std::string_view(reinterpret_cast<const char*>(packed.data()), packed.size()));
+    if (!trace)
+      return geometry::bad_input(
+          "view-damaged", (folder / file_name).string() + ": damaged: its samples cannot be read; run the job again");
+    view.trace = std::move(*trace);
     view.profile = profile_of(json);
     return view;
   } catch (const Json::exception& error) {

@@ -100,13 +100,37 @@ TEST(Run, PlanPostAndSimulateAgreeWithRun) {
   EXPECT_GT(report["run"]["cycle_time_s"].get<double>(), 1.0) << judged.err;
 }
 
+TEST(Compare, OnePageHasARowAndAReportForEveryStrategy) {
+  const auto folder = plate_folder("compare");
+  const Outcome outcome = run_volute("compare plate.toml --strategies spiral,iso-planar --out out --json", folder);
+  ASSERT_LE(outcome.status, 1) << outcome.err;
+  const Json rows = Json::parse(outcome.out)["strategies"];
+  ASSERT_EQ(rows.size(), 2U);
+  const std::string page = text_of(folder / "out" / "report.html");
+  for (const Json& row : rows) {
+    const std::string name = row["strategy"].get<std::string>();
+    EXPECT_NE(page.find("<a href=\"" + name + "/report.html\">"), std::string::npos) << name;
+    EXPECT_TRUE(fs::exists(folder / "out" / name / "report.html")) << name;
+    EXPECT_NE(page.find("<td>" + std::to_string(row["path"]["rapid_traversals"].get<int>()) + "</td>"),
+              std::string::npos);
+  }
+  EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
+}
+
 TEST(Run, RenderDrawsTheSamePicturesAgain) {
   const auto folder = plate_folder("render");
   ASSERT_EQ(run_volute("run plate.toml --out out --quiet", folder).status, 0);
-  const std::string picture = text_of(folder / "out" / "path.png");
+  fs::copy(folder / "out", folder / "before", fs::copy_options::recursive);
   fs::remove(folder / "out" / "path.png");
   ASSERT_EQ(run_volute("render out", folder).status, 0);
-  EXPECT_EQ(text_of(folder / "out" / "path.png"), picture);
+  int compared = 0;
+  for (const auto& entry : fs::directory_iterator(folder / "before")) {
+    const std::string kind = entry.path().extension().string();
+    if (kind != ".png" && kind != ".svg" && kind != ".html") continue;
+    ++compared;
+    EXPECT_TRUE(text_of(folder / "out" / entry.path().filename()) == text_of(entry.path())) << entry.path().filename();
+  }
+  EXPECT_GE(compared, 12);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/view/example_run.hpp"
 #include "view/run_view.hpp"
 
 namespace volute::view {
@@ -72,6 +73,14 @@ TEST(ViewFiles, WhatIsSavedComesBack) {
   fs::remove_all(folder);
 }
 
+TEST(ViewFiles, HundredThousandBlocksStaySmall) {
+  const fs::path folder = scratch_folder("size");
+  ASSERT_TRUE(save_view(example_run({200'000, 100'000, 120}), folder));
+  RecordProperty("bytes", std::to_string(fs::file_size(folder / "view.cbor.z")));
+  EXPECT_LT(fs::file_size(folder / "view.cbor.z"), 15'000'000U);
+  fs::remove_all(folder);
+}
+
 TEST(ViewFiles, FolderWithoutARunIsNamed) {
   const fs::path folder = scratch_folder("empty");
   const auto view = load_view(folder);
@@ -84,7 +93,7 @@ TEST(ViewFiles, FolderWithoutARunIsNamed) {
 TEST(ViewFiles, DamagedFileIsRefused) {
   const fs::path folder = scratch_folder("damaged");
   ASSERT_TRUE(save_view(example_view(), folder));
-  fs::resize_file(folder / "view.cbor", 100);
+  fs::resize_file(folder / "view.cbor.z", 100);
   const auto view = load_view(folder);
   ASSERT_FALSE(view);
   EXPECT_EQ(view.error().code, "view-damaged");

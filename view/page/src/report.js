@@ -43,6 +43,7 @@ async function start() {
   const scene = makeScene(frame, report, columns);
   if (scene) viewTools(frame, scene, null);
   await nextFrame();
+  scene?.finish();
   ready('picture');
 
   const traceBytes = await packedPart('trace');

@@ -15,6 +15,7 @@ export class Scene3d {
     this.report = report;
     this.columns = columns;
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    this.renderer.debug.checkShaderErrors = false;   // asking for a program's errors waits for the compiler
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.scene = new THREE.Scene();
     this.scene.background = new THREE.Color('#fbfcfd');
@@ -70,10 +71,10 @@ export class Scene3d {
       mesh.userData.link = link.link;
       this.links.add(mesh);
     });
+    this.links.visible = false;   // the part first: another kind of material costs a compilation
     this.world.add(this.links);
     this.part.matrix.copy(this.machine.partInMachine);
     this.world.matrix.copy(this.machine.partInMachine).invert();
-    this.showMachine('ghost');
   }
 
   /** The run, once the trace is there. */
@@ -89,6 +90,7 @@ export class Scene3d {
       this.part.add(this.planned.line);
     }
     this.tool.visible = true;
+    this.showMachine('ghost');
     if (!this.looked) this.look('part');
   }
 
@@ -222,6 +224,12 @@ export class Scene3d {
     if (this.waiting) return;
     this.waiting = true;
     requestAnimationFrame(() => this.draw());
+  }
+
+  /** Returns when the graphics process has drawn what was asked for: the picture is there, not only on its way. */
+  finish() {
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
   draw() {

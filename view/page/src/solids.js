@@ -14,7 +14,7 @@ export function solid(columns, name, colour, options = {}) {
   let geometry = meshGeometry(columns, name);
   if (options.flat) geometry = geometry.toNonIndexed();
   geometry.computeVertexNormals();
-  const material = new THREE.MeshPhongMaterial({ color: new THREE.Color(colour), side: THREE.DoubleSide, shininess: 18, specular: 0x222222,
+  const material = new THREE.MeshLambertMaterial({ color: new THREE.Color(colour), side: THREE.DoubleSide,
     polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
   return new THREE.Mesh(geometry, material);
 }
@@ -45,7 +45,7 @@ export function toolBody(tool) {
     if (points.length < 2) continue;
     const geometry = new THREE.LatheGeometry(points.map(([z, radius]) => new THREE.Vector2(radius, z)), 48).rotateX(Math.PI / 2);
     const [r, g, b] = ofHex(colour).map(linear);
-    group.add(new THREE.Mesh(geometry, new THREE.MeshPhongMaterial({ color: new THREE.Color(r, g, b), side: THREE.DoubleSide, shininess: 60, specular: 0x444444 })));
+    group.add(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ color: new THREE.Color(r, g, b), side: THREE.DoubleSide })));
   }
   return group;
 }
