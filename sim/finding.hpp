@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "kinematics/model/machine.hpp"
 
 namespace volute::sim {
 
@@ -15,6 +18,9 @@ struct Finding {
   std::string axis_or_pair;
   double value = 0.0, limit = 0.0;  ///< mm, deg, or the axis's unit
   std::string text;                 ///< one line
+  /// Where the tool stood in the part, and the axes (mm, rad), when it began; nothing where there is no one moment.
+  std::optional<kinematics::ToolPose> pose_P = {};
+  std::optional<kinematics::AxisVector> axes = {};
 };
 
 /// Place of a kind in the order of severity, 0 the worst; unknown kinds come last.

@@ -2,6 +2,7 @@
 // other.
 #include "sim/loads.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/check.hpp"
@@ -137,6 +138,14 @@ bool masses_known(const Machine& machine) {
 
 }  // namespace
 
+bool rests_on_assumptions(const Machine& machine, int axis) {
+  const auto at = std::find(machine.chain.begin(), machine.chain.end(), axis);
+  const bool table = at - machine.chain.begin() < machine.table_axes;
+  // A table axis carries those before it in the chain, a head axis those behind it.
+  const auto first = table ? machine.chain.begin() : at, last = table ? at + 1 : machine.chain.end();
+  return std::any_of(first, last, [&](int i) { return machine.axes[static_cast<std::size_t>(i)].assumed; });
+}
+
 AxisVector drive_forces(const Machine& machine, const AxisVector& q, const AxisVector& velocity,
                         const AxisVector& acceleration) {
   AxisVector load = AxisVector::Zero();
@@ -166,6 +175,21 @@ void LoadsMeter::take(int axis, double load, const AxisSample& sample) {
   report_.axes[i].peak = std::abs(load);
   peak_line_[i] = sample.line;
   peak_time_s_[i] = sample.time_s;
+  peak_q_[i] = sample.position;
+}
+
+Finding LoadsMeter::overload(std::size_t i, bool assumed) const {
+  const Axis& axis = machine_->axes[i];
+  const double peak = report_.axes[i].peak;
+  const char* unit = axis.kind == AxisKind::linear ? " N" : " Nm";
+  Finding finding{"limit", peak_line_[i], peak_time_s_[i], std::string(1, axis.letter), peak, *axis.force_max, ""};
+  finding.text = "line " + std::to_string(peak_line_[i]) + ": the " + axis.letter + " drive needs " +
+                 geometry::short_text(peak, 4) + unit + "; it has " + geometry::short_text(*axis.force_max, 4) + unit;
+  if (assumed)
+    finding.text += ", by numbers that " + machine_->file.filename().string() +
+                    " assumes: give the masses and the limit of your machine to have this judged";
+  finding.axes = peak_q_[i];
+  return finding;
 }
 
 LoadsReport LoadsMeter::report() const {
@@ -174,13 +198,8 @@ LoadsReport LoadsMeter::report() const {
     const Axis& axis = machine_->axes[i];
     if (count_ > 0) report.axes[i].rms = std::sqrt(square_sum_[i] / static_cast<double>(count_));
     if (!axis.force_max || report.axes[i].peak <= *axis.force_max) continue;
-    const char* unit = axis.kind == AxisKind::linear ? " N" : " Nm";
-    Finding finding{
-        "limit", peak_line_[i], peak_time_s_[i], std::string(1, axis.letter), report.axes[i].peak, *axis.force_max, ""};
-    finding.text = "line " + std::to_string(peak_line_[i]) + ": the " + axis.letter + " drive needs " +
-                   geometry::short_text(report.axes[i].peak, 4) + unit + "; it has " +
-                   geometry::short_text(*axis.force_max, 4) + unit;
-    report.findings.push_back(std::move(finding));
+    const bool assumed = rests_on_assumptions(*machine_, static_cast<int>(i));
+    (assumed ? report.warnings : report.findings).push_back(overload(i, assumed));
   }
   return report;
 }

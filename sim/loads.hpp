@@ -18,7 +18,8 @@ struct DriveLoad {
 struct LoadsReport {
   bool known = false;  ///< the machine file gives masses
   std::array<DriveLoad, kinematics::axis_count> axes;
-  std::vector<Finding> findings;
+  std::vector<Finding> findings;  ///< loads over a limit that a data sheet gives
+  std::vector<Finding> warnings;  ///< loads over a limit that rests on assumed numbers of the machine file
 };
 
 /// Force (N) or torque (Nm) that each drive gives for one state: inertia, gravity, viscous and dry friction of the
@@ -29,6 +30,10 @@ struct LoadsReport {
 AxisVector drive_forces(const kinematics::Machine& machine, const AxisVector& q, const AxisVector& velocity,
                         const AxisVector& acceleration);
 
+/// Whether the load of an axis is computed from, or held against, assumed numbers: those of the axis itself and of
+/// every axis that it carries.
+bool rests_on_assumptions(const kinematics::Machine& machine, int axis);
+
 /// Gathers loads over a run, chunk by chunk. The machine must outlive the meter.
 class LoadsMeter {
  public:
@@ -38,10 +43,12 @@ class LoadsMeter {
 
  private:
   void take(int axis, double load, const AxisSample& sample);
+  [[nodiscard]] Finding overload(std::size_t axis, bool assumed) const;
   const kinematics::Machine* machine_;
   std::array<double, kinematics::axis_count> square_sum_{};
   std::array<std::int64_t, kinematics::axis_count> peak_line_{};
   std::array<double, kinematics::axis_count> peak_time_s_{};
+  std::array<AxisVector, kinematics::axis_count> peak_q_{};
   std::int64_t count_ = 0;
   LoadsReport report_;
 };

@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <random>
 
-#include "kinematics/model/machine.hpp"
+#include "geometry/number_text.hpp"
+#include "kinematics/model/control.hpp"
+#include "sim/controller/control_run.hpp"
 
 namespace volute::sim {
 namespace {
@@ -189,8 +191,66 @@ TEST(DriveForces, WorkOfTheDrivesIsTheChangeOfEnergyOnEveryMachine) {
   }
 }
 
+/// A five-axis program under TCP, from rest to rest: head and table swing while the tip goes round.
+std::string swinging_program() {
+  std::string text = "G21 G90 G17\nT1 M6\nS5000 M3\nG43.4 H1\nG0 X0 Y0 Z30 A0 C0\nG1 Z5 F3000\n";
+  for (int k = 1; k <= 120; ++k) {
+    const double t = 0.05 * k;
+    text += "X" + geometry::fixed_text(40 * std::sin(t), 3) + " Y" + geometry::fixed_text(30 - 30 * std::cos(t), 3) +
+            " Z" + geometry::fixed_text(5 + 3 * std::sin(2 * t), 3) + " A" +
+            geometry::fixed_text(20 * std::sin(1.3 * t), 3) + " C" + geometry::fixed_text(50 * std::sin(0.7 * t), 3) +
+            "\n";
+  }
+  return text + "G0 Z60\nG49\nM30\n";
+}
+
+/// What the drives give over a whole program, sample by sample, is the change of energy and what friction took: the
+/// energy is counted from the links' places alone.
+TEST(DriveForces, WorkOverAWholeProgramIsTheChangeOfEnergy) {
+  const auto profile = kinematics::load_profile(std::filesystem::path(VOLUTE_SOURCE_DIR) / "machines", "ac-head-fanuc");
+  ASSERT_TRUE(profile) << profile.error().message;
+  const Machine& m = profile->machine;
+  const std::string text = swinging_program();
+  ProgramReader program(text, "swing.nc", m, profile->control);
+  ControlSetup setup;
+  setup.machine = &m;
+  setup.control = &profile->control;
+  setup.tool_length_mm = 120.0;
+  std::vector<AxisSample> samples;
+  const auto run = run_program(program, setup, [&](std::span<const AxisSample> chunk) {
+    samples.insert(samples.end(), chunk.begin(), chunk.end());
+  });
+  ASSERT_TRUE(run) << run.error().message;
+  ASSERT_GT(samples.size(), 1000u);
+  const auto power = [&](const AxisSample& s) {
+    const AxisVector force = drive_forces(m, s.position, s.velocity, s.acceleration);
+    double sum = 0.0;
+    for (int i = 0; i < 5; ++i) {
+      const auto& axis = m.axes[static_cast<std::size_t>(i)];
+      const double v = s.velocity[i], lost = axis.viscous_friction * v + (v > 0 ? 1 : -1) * axis.coulomb_friction;
+      if (v != 0.0) sum += (force[i] - lost) * v * (axis.kind == AxisKind::linear ? 1e-3 : 1.0);
+    }
+    return sum;
+  };
+  const double start = energy(m, samples[0].position, samples[0].velocity);
+  double work = 0.0, exchanged = 0.0, worst = 0.0, before = power(samples[0]);
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    const double now = power(samples[k]), step = 0.5 * (now + before) * (samples[k].time_s - samples[k - 1].time_s);
+    work += step;
+    exchanged += std::abs(step);
+    before = now;
+    if (k % 50 != 0 && k + 1 != samples.size()) continue;
+    const double change = energy(m, samples[k].position, samples[k].velocity) - start;
+    worst = std::max(worst, std::abs(work - change));
+  }
+  RecordProperty("worst_share_ppm", static_cast<int>(1e6 * worst / exchanged));
+  EXPECT_GT(exchanged, 50.0);
+  EXPECT_LT(worst, 1e-3 * exchanged) << "of " << exchanged << " J that passed through the drives";
+}
+
 TEST(LoadsMeter, PeaksAndMeanSquaresOfARun) {
   Machine m = plain_head();
+  for (auto& axis : m.axes) axis.assumed = false;
   m.axes[0].force_max = 3000.0;
   LoadsMeter meter(m);
   std::vector<AxisSample> samples(4);
@@ -209,6 +269,30 @@ TEST(LoadsMeter, PeaksAndMeanSquaresOfARun) {
   ASSERT_EQ(report.findings.size(), 1u);
   EXPECT_EQ(report.findings[0].line, 12);
   EXPECT_EQ(report.findings[0].axis_or_pair, "X");
+}
+
+/// A load over a limit is a fault of the program only where the numbers are the machine's own.
+TEST(LoadsMeter, ALoadThatRestsOnAssumedNumbersIsAWarningThatSaysSo) {
+  Machine m = plain_head();
+  for (auto& axis : m.axes) axis.assumed = false;
+  m.axes[0].force_max = 3000.0;
+  m.axes[4].assumed = true;  // X carries C, so X's load rests on C's mass
+  std::vector<AxisSample> samples(1);
+  samples[0].position = samples[0].velocity = samples[0].acceleration = AxisVector::Zero();
+  samples[0].acceleration[0] = 2000.0;
+  LoadsMeter meter(m);
+  meter.add(samples);
+  const LoadsReport report = meter.report();
+  EXPECT_TRUE(report.findings.empty());
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_NE(report.warnings[0].text.find("assumes"), std::string::npos) << report.warnings[0].text;
+  EXPECT_FALSE(rests_on_assumptions(m, 3));  // A carries nothing
+  EXPECT_TRUE(rests_on_assumptions(m, 4));
+  m.table_axes = 2;  // X Y carry the part: X what stands before it, Y X
+  EXPECT_FALSE(rests_on_assumptions(m, 0));
+  m.axes[0].assumed = true;
+  EXPECT_TRUE(rests_on_assumptions(m, 1));
+  EXPECT_FALSE(rests_on_assumptions(m, 3));
 }
 
 TEST(LoadsMeter, AMachineWithoutMassesIsNotKnown) {
