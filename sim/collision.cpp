@@ -35,9 +35,7 @@ struct Moment {
 struct Contact {
   std::size_t pair;
   double distance_mm;
-  std::int64_t line;
-  double time_s;
-  std::size_t index;
+  Moment at;
 };
 
 /// What a piece of the run gives; pieces are joined in order.
@@ -126,7 +124,7 @@ class RunCheck {
       // Most of the time they touch: a short look first, a long one only where there is air.
       double found = distance(pair, at.q, least_free_mm(), report);
       if (found >= least_free_mm()) found = distance(pair, at.q, far, report);
-      if (found <= 0.0) report.contacts.push_back({p, found, at.line, at.time_s, at.index});
+      if (found <= 0.0) report.contacts.push_back({p, found, at});
       return std::max(least_free_mm(), (1.0 - far_distance_error) * found);
     }
     const double bound = std::isfinite(report.closest_mm) ? std::max(clearance_mm_, report.closest_mm) + far : infinite;
@@ -136,7 +134,7 @@ class RunCheck {
       report.closest_pair = p;
       report.at_line = at.line;
     }
-    if (found <= 0.0 || found < clearance_mm_) report.contacts.push_back({p, found, at.line, at.time_s, at.index});
+    if (found <= 0.0 || found < clearance_mm_) report.contacts.push_back({p, found, at});
     // Nothing to see before the pair can be within the clearance, or clearly nearer than anything seen.
     const double seen =
         std::max(clearance_mm_, report.closest_mm - std::max(step_mm_, closest_share * report.closest_mm));
@@ -164,15 +162,18 @@ class FindingList {
   void add(const Contact& contact) {
     const bool hit = contact.distance_mm <= 0.0;
     auto& stretch = open_[contact.pair];
-    if (!stretch || contact.index > stretch->last_index + 1 || (hit && !stretch->hit)) stretch = begin(contact, hit);
-    stretch->last_index = contact.index;
+    if (!stretch || contact.at.index > stretch->last_index + 1 || (hit && !stretch->hit)) stretch = begin(contact, hit);
+    stretch->last_index = contact.at.index;
     if (!stretch->finding) return;
-    double& value = report_.findings[*stretch->finding].value;
     if (hit)
-      value = std::max(value, -contact.distance_mm);
+      meetings_[*stretch->finding].push_back(contact);
     else if (!stretch->hit)
-      value = std::min(value, contact.distance_mm);
+      report_.findings[*stretch->finding].value =
+          std::min(report_.findings[*stretch->finding].value, contact.distance_mm);
   }
+
+  /// The contacts of each finding; empty for those that only come close.
+  [[nodiscard]] const std::vector<std::vector<Contact>>& meetings() const { return meetings_; }
 
  private:
   struct Stretch {
@@ -184,24 +185,58 @@ class FindingList {
   Stretch begin(const Contact& contact, bool hit) {
     constexpr std::size_t findings_max = 200;
     report_.sim_hits += hit ? 1 : 0;
-    if (report_.findings.size() >= findings_max) return {contact.index, hit, std::nullopt};
-    report_.findings.push_back({hit ? "collision" : "clearance", contact.line, contact.time_s,
-                                pairs_.pair_name(contact.pair), hit ? -contact.distance_mm : contact.distance_mm,
-                                hit ? 0.0 : clearance_mm_, ""});
-    return {contact.index, hit, report_.findings.size() - 1};
+    if (report_.findings.size() >= findings_max) return {contact.at.index, hit, std::nullopt};
+    Finding finding{hit ? "collision" : "clearance",
+                    contact.at.line,
+                    contact.at.time_s,
+                    pairs_.pair_name(contact.pair),
+                    contact.distance_mm,
+                    hit ? 0.0 : clearance_mm_,
+                    ""};
+    finding.axes = contact.at.q;
+    report_.findings.push_back(std::move(finding));
+    meetings_.emplace_back();
+    return {contact.at.index, hit, report_.findings.size() - 1};
   }
 
   const CollisionPairs& pairs_;
   double clearance_mm_;
   CollisionReport& report_;
   std::vector<std::optional<Stretch>> open_;
+  std::vector<std::vector<Contact>> meetings_;
 };
 
-void tell(Finding& finding) {
+/// The greatest depth over a stretch, from at most so many of its moments, evenly spread, the last one included.
+double depth_of(const CollisionPairs& pairs, const std::vector<Contact>& contacts) {
+  constexpr std::size_t moments_max = 32;
+  const std::size_t step = (contacts.size() + moments_max - 1) / moments_max;
+  double depth = 0.0;
+  for (std::size_t i = (contacts.size() - 1) % step; i < contacts.size(); i += step) {
+    const BodyPair& pair = pairs.pairs[contacts[i].pair];
+    const MovingBody &a = pairs.bodies[pair.a], &b = pairs.bodies[pair.b];
+    const AxisVector& q = contacts[i].at.q;
+    const double found = body_depth_mm(*a.body, *b.body, b.X_M(q).inverse() * a.X_M(q));
+    if (found > 0.0) depth = std::max(depth, found + pair.forgiven_mm);
+  }
+  return depth;
+}
+
+std::string pose_text(const Finding& finding, const kinematics::Machine& machine) {
+  std::string text;
+  for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+    const bool rotary = machine.axes[i].kind == kinematics::AxisKind::rotary;
+    const double value = (*finding.axes)[static_cast<Eigen::Index>(i)];
+    text += (i > 0 ? " " : "") + std::string(1, machine.axes[i].letter) +
+            geometry::fixed_text(rotary ? geometry::Angle::radians(value).degrees() : value, 3);
+  }
+  return text;
+}
+
+void tell(Finding& finding, const kinematics::Machine& machine) {
   const std::string where = "line " + std::to_string(finding.line) + ": ";
   if (finding.kind == "collision") {
-    finding.text = where + finding.axis_or_pair + " meet at " + short_text(finding.time_s, 6) + " s (" +
-                   short_text(finding.value, 3) + " mm deep where first seen)";
+    finding.text = where + finding.axis_or_pair + " meet from " + short_text(finding.time_s, 6) + " s on, up to " +
+                   short_text(finding.value, 3) + " mm deep, with the axes at " + pose_text(finding, machine);
   } else {
     finding.text = where + finding.axis_or_pair + " come as close as " + short_text(finding.value, 4) + " mm; " +
                    short_text(finding.limit, 4) + " mm is asked for";
@@ -239,7 +274,12 @@ CollisionReport check_collisions(const CollisionScene& scene, const kinematics::
   for (const auto& piece : pieces) {
     for (const Contact& contact : piece.contacts) findings.add(contact);
   }
-  std::for_each(report.findings.begin(), report.findings.end(), tell);
+  tbb::parallel_for(std::size_t{0}, report.findings.size(), [&](std::size_t i) {
+    Finding& finding = report.findings[i];
+    finding.pose_P = kinematics::tool_pose(machine, setup, scene.tool.gauge_length_mm, *finding.axes);
+    if (!findings.meetings()[i].empty()) finding.value = depth_of(pairs, findings.meetings()[i]);
+    tell(finding, machine);
+  });
   return report;
 }
 

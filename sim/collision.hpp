@@ -19,6 +19,8 @@ struct CollisionScene {
   geometry::TriangleMesh part_P;
   std::vector<geometry::TriangleMesh> obstacles_P;
   std::vector<std::string> obstacle_names;
+  /// The blank before the run: held against the machine's links (the run through the stock holds the tool against it).
+  geometry::TriangleMesh stock_P = {};
   kinematics::Tool tool;
   double gouge_tolerance_mm = 0.01;  ///< the cutter may go this deep into the part
   double state_error_mm = 0.0;       ///< states may stand this far beside the run: the cutter is forgiven as much more
@@ -52,6 +54,9 @@ struct MachineState {
 /// to the gouge tolerance, on rapids too (they begin and end at the surface): deeper is a finding; how deep the cut
 /// surface tells. A mesh is a shell: a body wholly inside a solid without touching its skin is not seen, which needs a
 /// jump past the skin of more than the body's size in one step.
+///
+/// A finding of kind "collision" tells line, time, axes and pose where the pair first meets, and in `value` how deep it
+/// gets: body_depth_mm, the greatest over at most 32 moments of the stretch.
 ///
 /// closest_mm is exact at the places looked at up to 1 mm or twice the clearance, above that it may be told 5 % too
 /// great; between those places it can be less by step_mm or a quarter of itself, whichever is more.

@@ -83,6 +83,30 @@ struct PieceSearch {
   }
 };
 
+/// Walks B's tree for one piece of A and keeps the greatest depth of a pair that meets.
+struct DepthSearch {
+  const ConvexPiece& piece;
+  const CollisionBody& body;
+  Transform X_AB;
+  btTransform X_BA;
+  double depth = 0.0;
+
+  void walk(std::int32_t index) {
+    const auto& node = body.nodes()[static_cast<std::size_t>(index)];
+    if (piece.distance_bound_mm(X_AB * node.centre_mm) > node.radius_mm) return;
+    if (node.count == 0) {
+      walk(node.first);
+      walk(node.right);
+      return;
+    }
+    for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+      const ConvexPiece& other = body.piece(i);
+      if (piece.distance_bound_mm(X_AB * other.centre_mm) > other.radius_mm) continue;
+      depth = std::max(depth, -gjk_distance_mm(piece.shape(), other.shape(), X_BA));
+    }
+  }
+};
+
 /// Groups of triangles that share corners, corners compared by position.
 std::vector<std::vector<geometry::Index>> components(const TriangleMesh& mesh) {
   std::map<std::array<double, 3>, int> numbers;
@@ -203,6 +227,18 @@ double body_distance_mm(const CollisionBody& a, const CollisionBody& b, const Tr
     best = search.best;
   }
   return best;
+}
+
+double body_depth_mm(const CollisionBody& a, const CollisionBody& b, const Transform& X_BA) {
+  if (a.empty() || b.empty()) return 0.0;
+  if (a.piece_count() > b.piece_count()) return body_depth_mm(b, a, X_BA.inverse());
+  double depth = 0.0;
+  for (std::size_t i = 0; i < a.piece_count(); ++i) {
+    DepthSearch search{a.piece(static_cast<std::int32_t>(i)), b, X_BA.inverse(), to_bullet(X_BA)};
+    search.walk(0);
+    depth = std::max(depth, search.depth);
+  }
+  return depth;
 }
 
 }  // namespace volute::sim

@@ -10,7 +10,7 @@ using kinematics::ConeSegment;
 using kinematics::Machine;
 
 /// What a body is, and which body of the chain it goes with: 0 carries the workpiece, axis_count the tool.
-enum class Role { cutter, cutter_core, tool, part, obstacle, link };
+enum class Role { cutter, cutter_core, tool, part, stock, obstacle, link };
 struct Entry {
   Role role;
   int place;
@@ -52,6 +52,13 @@ class SceneBuilder {
     return {std::move(name), std::move(pieces)};
   }
 
+  /// How much smaller the cutter is that may not meet the part.
+  [[nodiscard]] double inset_mm() const {
+    const kinematics::Cutter& cutter = scene_.tool.cutter;
+    return std::min(
+        {scene_.gouge_tolerance_mm + scene_.state_error_mm, 0.5 * cutter.radius_mm, 0.25 * cutter.length_mm});
+  }
+
   void add_tool() {
     const kinematics::Tool& tool = scene_.tool;
     const auto X_M = [&machine = machine_, length_mm = tool.gauge_length_mm](const AxisVector& q) {
@@ -59,9 +66,7 @@ class SceneBuilder {
     };
     constexpr int place = kinematics::axis_count;
     add(Role::cutter, place, single("cutter", cutter_piece(tool.cutter, 0.0)), X_M);
-    const double inset = std::min(
-        {scene_.gouge_tolerance_mm + scene_.state_error_mm, 0.5 * tool.cutter.radius_mm, 0.25 * tool.cutter.length_mm});
-    add(Role::cutter_core, place, single("cutter", cutter_piece(tool.cutter, inset)), X_M);
+    add(Role::cutter_core, place, single("cutter", cutter_piece(tool.cutter, inset_mm())), X_M);
     if (tool.stick_out_mm > tool.cutter.length_mm) {
       const ConeSegment shank{tool.shank_radius_mm, tool.shank_radius_mm, tool.cutter.length_mm,
                               tool.stick_out_mm - tool.cutter.length_mm};
@@ -75,6 +80,7 @@ class SceneBuilder {
   void add_part() {
     const auto X_M = [X_MP = setup_.part_in_machine](const AxisVector&) { return X_MP; };
     add(Role::part, 0, CollisionBody::of_triangles("part", scene_.part_P), X_M);
+    add(Role::stock, 0, CollisionBody::of_components("stock", scene_.stock_P), X_M);
     for (std::size_t i = 0; i < scene_.obstacles_P.size(); ++i) {
       const std::string name =
           i < scene_.obstacle_names.size() ? scene_.obstacle_names[i] : "obstacle " + std::to_string(i + 1);
@@ -94,10 +100,13 @@ class SceneBuilder {
     const Entry &x = entries_[a], &y = entries_[b];
     if (x.place == y.place) return;  // they stand still to each other
     if (x.role == Role::link && y.role == Role::link && std::abs(x.place - y.place) <= 1) return;
+    if (y.role == Role::stock && x.role != Role::link) return;  // the tool is held against what is left of it
+    if (x.role == Role::stock && y.role != Role::link) return;
     const bool with_part = y.role == Role::part;
     if (x.role == Role::cutter && with_part) return;  // its core is looked at instead
     if (x.role == Role::cutter_core && !with_part) return;
-    out_.pairs.push_back({a, b, x.role == Role::cutter_core});
+    const bool core = x.role == Role::cutter_core;
+    out_.pairs.push_back({a, b, core, core ? inset_mm() : 0.0});
   }
 
   const CollisionScene& scene_;

@@ -18,7 +18,8 @@ struct MovingBody {
 
 struct BodyPair {
   std::size_t a = 0, b = 0;      ///< indices into bodies
-  bool cutter_and_part = false;  ///< the cutter, taken in by the gouge tolerance, with the part
+  bool cutter_and_part = false;  ///< the cutter, taken in by `forgiven_mm`, with the part
+  double forgiven_mm = 0.0;
 };
 
 struct CollisionPairs {

@@ -76,4 +76,9 @@ constexpr double far_distance_error = 0.05;
 double body_distance_mm(const CollisionBody& a, const CollisionBody& b, const Transform& X_BA, double bound_mm,
                         std::int64_t& pairs, double exact_below_mm = std::numeric_limits<double>::infinity());
 
+/// How deep two bodies that meet lie in each other: over all pairs of pieces that meet, the greatest of the shortest
+/// ways that part the two pieces; 0 when none meet. Exact for two convex bodies of one piece (Bullet's EPA); with a
+/// mesh, whose pieces are triangles, a lower bound. `X_BA` takes A's frame to B's.
+double body_depth_mm(const CollisionBody& a, const CollisionBody& b, const Transform& X_BA);
+
 }  // namespace volute::sim

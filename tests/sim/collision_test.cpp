@@ -107,6 +107,27 @@ TEST(BodyDistance, TreeGivesWhatEveryPairGives) {
   EXPECT_LT(quick, all / 5);
 }
 
+/// EPA's shortest way out, known in closed form; over all pieces the greatest.
+TEST(BodyDepth, IsTheShortestWayOutOfTheDeepestPiece) {
+  const auto block = CollisionBody::of_components("block", box(Vec3(-30, -30, -20), Vec3(30, 30, 0)));
+  ASSERT_EQ(block.piece_count(), 1u);
+  geometry::Transform X = geometry::Transform::Identity();
+  for (const double deep : {0.01, 1.5, 7.0}) {
+    X.translation() = Vec3(3, -4, -deep);
+    EXPECT_NEAR(body_depth_mm(single(frustum_piece({6.0, 9.0, 0.0, 40.0})), block, X), deep, 1e-4);
+    EXPECT_NEAR(body_depth_mm(block, single(frustum_piece({6.0, 9.0, 0.0, 40.0})), X.inverse()), deep, 1e-4);
+  }
+  X.translation() = Vec3(0, 0, 0.5);
+  EXPECT_EQ(body_depth_mm(single(frustum_piece({6.0, 9.0, 0.0, 40.0})), block, X), 0.0);
+  TriangleMesh two = box(Vec3(-30, -30, -20), Vec3(-2, 30, -1));  // one top lies 1 mm lower than the other
+  const TriangleMesh other = box(Vec3(2, -30, -20), Vec3(30, 30, 0));
+  for (const auto& t : other.triangles) two.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
+  two.vertices_mm.insert(two.vertices_mm.end(), other.vertices_mm.begin(), other.vertices_mm.end());
+  X.translation() = Vec3(0, 0, -3.0);
+  EXPECT_NEAR(body_depth_mm(single(frustum_piece({9.0, 9.0, 0.0, 40.0})), CollisionBody::of_components("two", two), X),
+              3.0, 1e-4);
+}
+
 TEST(CollisionBody, ConvexComponentsBecomeHullsOthersStayTriangles) {
   TriangleMesh two = box(Vec3(0, 0, 0), Vec3(1, 1, 1));
   const TriangleMesh other = box(Vec3(5, 0, 0), Vec3(6, 1, 1));
@@ -179,19 +200,42 @@ TEST(CheckCollisions, PlantedHolderAndFixtureInARapid) {
   shop.scene.obstacles_P = {box(Vec3(10, -5, 0), Vec3(14, 5, 60))};
   shop.scene.obstacle_names = {"clamp"};
   // Crosses the clamp with the holder only: its face stands 40 mm over the tip, tip at z = 15 keeps 15 + 40 < 60.
-  const auto report = shop.check({shop.at({-60, 40, 15}, 1, true), shop.at({-60, 20, 15}, 2, true),
-                                  shop.at({60, 20, 15}, 7, true), shop.at({60, 20, 80}, 8, true)});
+  const auto report = shop.check({shop.at({-60, 40, 15}, 1, true), shop.at({-60, 16, 15}, 2, true),
+                                  shop.at({60, 16, 15}, 7, true), shop.at({60, 16, 80}, 8, true)});
   ASSERT_EQ(report.sim_hits, 1);
   EXPECT_EQ(report.findings[0].kind, "collision");
   EXPECT_EQ(report.findings[0].line, 7);
   EXPECT_EQ(report.findings[0].axis_or_pair, "holder-clamp");
   EXPECT_NE(report.findings[0].text.find("line 7"), std::string::npos);
-  // Time: the holder's face has radius 20 and passes 15 from the clamp's side, so it touches sqrt(20^2 - 15^2) before
-  // the edge.
-  const double x = 10.0 - std::sqrt(400.0 - 225.0), share = (x + 60.0) / 120.0;
+  // Time and pose: the holder's face has radius 20 and passes 11 from the clamp's side, so it touches
+  // sqrt(20^2 - 11^2) before the edge.
+  const double x = 10.0 - std::sqrt(400.0 - 121.0), share = (x + 60.0) / 120.0;
   EXPECT_NEAR(report.findings[0].time_s, 0.2 + share * 0.5, 0.5 / 120.0 * 0.5 + 1e-9);
+  ASSERT_TRUE(report.findings[0].pose_P && report.findings[0].axes);
+  const Vec3& tip = report.findings[0].pose_P->tip_P_mm;
+  EXPECT_NEAR(tip.x(), x + 0.25, 0.26);
+  EXPECT_NEAR(tip.y(), 16.0, 1e-9);
+  EXPECT_NEAR(tip.z(), 15.0, 1e-9);
+  // Depth: the face lies 5 mm under the clamp's top, and 9 mm would part them sideways.
+  EXPECT_NEAR(report.findings[0].value, 5.0, 1e-4);
   // High enough it passes.
   EXPECT_EQ(shop.check({shop.at({-60, 20, 25}, 1, true), shop.at({60, 20, 25}, 2, true)}).sim_hits, 0);
+}
+
+/// The spindle drives into the blank: the links are held against the stock, the tool is not (the run through the stock
+/// does that).
+TEST(CheckCollisions, LinksAreHeldAgainstTheBlankTheToolIsNot) {
+  Workshop shop;
+  shop.scene.part_P = {};
+  shop.scene.stock_P = box(Vec3(-60, -60, -20), Vec3(60, 60, 30));
+  EXPECT_EQ(shop.check({shop.at({0, 0, 60}, 1, true), shop.at({0, 0, 5}, 2, false)}).sim_hits, 0);
+  const auto report = shop.check({shop.at({0, 0, 60}, 1, true), shop.at({0, 0, -120}, 2, false)});
+  ASSERT_GE(report.sim_hits, 1);
+  for (const auto& f : report.findings) {
+    EXPECT_NE(f.axis_or_pair.find("stock"), std::string::npos) << f.axis_or_pair;
+    EXPECT_EQ(f.axis_or_pair.find("holder"), std::string::npos) << f.axis_or_pair;
+    EXPECT_EQ(f.axis_or_pair.find("cutter"), std::string::npos) << f.axis_or_pair;
+  }
 }
 
 TEST(CheckCollisions, ClearanceIsAFindingOfItsOwn) {
