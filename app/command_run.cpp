@@ -3,6 +3,7 @@
 
 #include "app/commands.hpp"
 #include "app/exit_status.hpp"
+#include "app/material_files.hpp"
 #include "app/output_folder.hpp"
 #include "app/pipeline.hpp"
 #include "app/report.hpp"
@@ -27,7 +28,7 @@ Json full_report(const JobInputs& inputs, const planner::PlanResult& plan, const
   report["path"] = planned["path"];
   report["orientation"] = planned["orientation"];
   const Json judged = verify_json(verified, inputs.profile, plan.orientation.interferences_after);
-  for (const char* key : {"run", "machining", "collision", "loads", "findings"})
+  for (const char* key : {"run", "machining", "stock", "collision", "loads", "findings", "warnings"})
     if (judged.contains(key)) report[key] = judged[key];
   report["timing"] = planned["timing"];
   report["timing"].update(judged["timing"]);
@@ -54,8 +55,9 @@ Result<int> run(const RunArguments& arguments, Context& context) {
   context.warn(plan->orientation.notes);
   const auto posted = post_job(*inputs, *plan);
   if (!posted) return tl::unexpected(posted.error());
-  const auto verified = verify_job(*inputs, *plan, *posted, context.progress());
+  const auto verified = verify_job(*inputs, *plan, *posted, context.progress(), true);
   if (!verified) return tl::unexpected(verified.error());
+  context.warn(texts(verified->warnings));
 
   const auto out = OutputFolder::make(arguments.out.empty() ? path(inputs->job.name) : arguments.out);
   if (!out) return tl::unexpected(out.error());
@@ -66,6 +68,9 @@ Result<int> run(const RunArguments& arguments, Context& context) {
   if (auto written = out->write("toolpath.cls", cl_text(*inputs, *plan)); !written)
     return tl::unexpected(written.error());
   if (auto written = out->write("plan.json", plan_json(*plan).dump(2) + "\n"); !written)
+    return tl::unexpected(written.error());
+
+  if (auto written = write_material(*verified, inputs->job.tool.cutter, inputs->job.spindle_rpm, *out); !written)
     return tl::unexpected(written.error());
 
   const Json report = full_report(*inputs, *plan, *posted, *verified, *program);

@@ -4,7 +4,9 @@
 #include "app/commands.hpp"
 #include "app/exit_status.hpp"
 #include "app/job.hpp"
+#include "app/material_files.hpp"
 #include "app/output_folder.hpp"
+#include "app/pipeline.hpp"
 #include "app/report.hpp"
 #include "app/run_table.hpp"
 #include "geometry/file.hpp"
@@ -71,12 +73,17 @@ Result<Simulated> simulate_one(const path& program, const Bench& bench, Context&
   request.profile = bench.profile;
   request.setup = bench.setup;
   request.tool = bench.tool;
-  if (bench.cutter_known) request.surface_P = bench.surface;
+  if (bench.cutter_known && bench.surface) {
+    request.surface_P = bench.surface;
+    request.picture_vertices_max = picture_vertices_max;
+    request.stock = sim::assumed_stock(*bench.surface, StockJob().allowance_mm);
+  }
   request.cut.uncut_limit_mm = bench.scallop_mm;
   request.progress = context.progress().callback();
   auto result = sim::verify(request);
   if (!result) return tl::unexpected(result.error());
   context.warn(result->run.warnings);
+  context.warn(texts(result->warnings));
   Simulated simulated{std::move(request.text), std::move(*result), {}};
   simulated.report["program"] = {{"file", program.filename().string()},
                                  {"dialect", bench.profile.control.name},
@@ -108,6 +115,8 @@ Result<std::vector<std::string>> write_results(const path& program, const Bench&
                                                const OutputFolder& out) {
   const view::RunView view = view_of(program, bench, simulated);
   if (auto written = out.write("report.json", simulated.report.dump(2) + "\n"); !written)
+    return tl::unexpected(written.error());
+  if (auto written = write_material(simulated.result, bench.tool.cutter, std::nullopt, out); !written)
     return tl::unexpected(written.error());
   if (auto saved = view::save_view(view, out.folder()); !saved) return tl::unexpected(saved.error());
   auto pictures = view::write_pictures(view, out.folder());

@@ -27,8 +27,8 @@ class JobReader {
 
   geometry::Result<Job> read() {
     if (reader_.error()) return tl::unexpected(*reader_.error());
-    reader_.only_keys(root(), "",
-                      {"part", "tool", "holder", "scene", "path", "orientation", "process", "machine", "field"});
+    reader_.only_keys(
+        root(), "", {"part", "tool", "holder", "scene", "path", "orientation", "process", "machine", "field", "stock"});
     read_part();
     read_tool();
     read_holder();
@@ -38,6 +38,7 @@ class JobReader {
     read_field();
     read_process();
     read_machine();
+    read_stock();
     if (reader_.error()) return tl::unexpected(*reader_.error());
     if (auto valid = kinematics::validate(job_.tool); !valid) {
       geometry::Error error = valid.error();
@@ -280,6 +281,23 @@ class JobReader {
     const Vec3 origin_mm = reader_.vector(setup, "machine.setup", "origin_mm", Vec3::Zero().eval());
     const Angle turn = angle(setup, "machine.setup", "turn_deg", Angle(), -360.0, 360.0);
     job_.setup.part_in_machine = Eigen::Translation3d(origin_mm) * Eigen::AngleAxisd(turn.radians(), Vec3::UnitZ());
+  }
+
+  void read_stock() {
+    const toml::table& stock = reader_.optional_table(root(), "", "stock");
+    reader_.only_keys(stock, "stock", {"solid", "low_mm", "high_mm", "allowance_mm", "grid_mm", "skip"});
+    StockJob& out = job_.stock;
+    out.skip = reader_.boolean(stock, "stock", "skip", false);
+    if (stock.contains("solid")) out.solid_file = beside(reader_.text(stock, "stock", "solid"));
+    if (stock.contains("low_mm")) out.low_mm = reader_.vector(stock, "stock", "low_mm");
+    if (stock.contains("high_mm")) out.high_mm = reader_.vector(stock, "stock", "high_mm");
+    if (out.low_mm.has_value() != out.high_mm.has_value())
+      reader_.refuse(&stock, "stock", "a box needs both corners, low_mm and high_mm");
+    if (!out.solid_file.empty() && out.low_mm)
+      reader_.refuse(stock.get("low_mm"), "stock.low_mm", "stands beside stock.solid; give the box or the solid");
+    out.given = !out.solid_file.empty() || out.low_mm || stock.contains("allowance_mm");
+    out.allowance_mm = not_negative(stock, "stock", "allowance_mm", out.allowance_mm);
+    if (stock.contains("grid_mm")) out.grid_mm = reader_.positive(stock, "stock", "grid_mm");
   }
 
   TomlReader reader_;

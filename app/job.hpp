@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,15 @@
 #include "planner/options.hpp"
 
 namespace volute::app {
+
+/// [stock] of the job; nothing given: a block about the part, assumed.
+struct StockJob {
+  bool given = false, skip = false;
+  std::filesystem::path solid_file;  ///< a closed mesh; empty: a box
+  std::optional<geometry::Vec3> low_mm, high_mm;
+  double allowance_mm = 1.0;  ///< of a block about the part, when neither solid nor box is given
+  double grid_mm = 0.0;       ///< 0: chosen
+};
 
 struct Job {
   std::filesystem::path file;
@@ -29,6 +39,7 @@ struct Job {
   std::string profile;  ///< name or path as written
   kinematics::Setup setup;
   double gouge_tolerance_mm = 0.0, clearance_mm = 1.0;
+  StockJob stock;
 };
 
 /// Errors (bad_input): job-*: file, line, key, value, rule, remedy. Keys that nobody reads are refused, with the

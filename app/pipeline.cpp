@@ -51,6 +51,17 @@ std::vector<kinematics::ToolPose> cutting_poses(const kinematics::AxisPath& path
   return poses;
 }
 
+std::optional<sim::StockSetup> stock_setup(const JobInputs& inputs) {
+  const StockJob& stock = inputs.job.stock;
+  if (stock.skip) return std::nullopt;
+  sim::StockSetup setup = sim::assumed_stock(inputs.surface, stock.allowance_mm);
+  if (stock.low_mm) setup.box_P_mm = Eigen::AlignedBox3d(*stock.low_mm, *stock.high_mm);
+  setup.solid_P = inputs.stock;
+  setup.grid_mm = stock.grid_mm;
+  setup.assumed = !stock.given;
+  return setup;
+}
+
 }  // namespace
 
 geometry::Result<JobInputs> load_inputs(const std::filesystem::path& job_file, const Context& context) {
@@ -73,6 +84,11 @@ geometry::Result<JobInputs> load_inputs(const std::filesystem::path& job_file, c
   inputs.surface = std::move(*surface);
   if (auto read = load_obstacles(inputs.job.obstacle_files, inputs); !read) return tl::unexpected(read.error());
   if (auto read = load_obstacles(inputs.job.fixture_files, inputs); !read) return tl::unexpected(read.error());
+  if (!inputs.job.stock.solid_file.empty()) {
+    auto stock = geometry::load_mesh(inputs.job.stock.solid_file, inputs.job.unit_mm);
+    if (!stock) return tl::unexpected(stock.error());
+    inputs.stock = std::move(stock->mesh);
+  }
   inputs.fixture_count = inputs.job.fixture_files.size();
   return inputs;
 }
@@ -104,7 +120,7 @@ geometry::Result<post::PostResult> post_job(const JobInputs& inputs, const plann
 }
 
 geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const planner::PlanResult&,
-                                               const post::PostResult& posted, Progress& progress) {
+                                               const post::PostResult& posted, Progress& progress, bool with_material) {
   const kinematics::Control& control = inputs.profile.control;
   sim::VerifyRequest request;
   request.text = posted.text;
@@ -128,6 +144,10 @@ geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const pl
   request.expected_tolerance_rad = rounding_slack * (rotary_step_rad + decimal_step(control.vector_decimals)) +
                                    kinematics::AxisPathOptions().rotary_tolerance_rad;
   request.progress = progress.callback();
+  if (with_material) {
+    request.picture_vertices_max = picture_vertices_max;
+    request.stock = stock_setup(inputs);
+  }
   return sim::verify(request);
 }
 

@@ -17,6 +17,9 @@
 
 namespace volute::app {
 
+/// Corners of the coloured mesh of a cut surface, at most.
+constexpr std::size_t picture_vertices_max = 300'000;
+
 /// What a job names, read.
 struct JobInputs {
   Job job;
@@ -25,6 +28,7 @@ struct JobInputs {
   std::vector<geometry::TriangleMesh> obstacles;  ///< obstacles, then fixtures
   std::vector<std::string> obstacle_names;
   std::size_t fixture_count = 0;
+  std::optional<geometry::TriangleMesh> stock;  ///< the blank, when the job gives it as a mesh
   std::vector<std::string> warnings;
 };
 
@@ -32,8 +36,10 @@ geometry::Result<JobInputs> load_inputs(const std::filesystem::path& job_file, c
 
 geometry::Result<planner::PlanResult> plan_job(const JobInputs& inputs, Progress& progress);
 geometry::Result<post::PostResult> post_job(const JobInputs& inputs, const planner::PlanResult& plan);
+/// `with_material`: the coloured mesh of the cut surface, and the stock, too.
 geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const planner::PlanResult& plan,
-                                               const post::PostResult& posted, Progress& progress);
+                                               const post::PostResult& posted, Progress& progress,
+                                               bool with_material = false);
 /// Everything that pictures and the page show of a run.
 view::RunView run_view(const JobInputs& inputs, const planner::PlanResult& plan, const post::PostResult& posted,
                        const sim::VerifyResult& verified);

@@ -120,7 +120,31 @@ Json machining_json(const sim::CutSurfaceReport& cut) {
           {"scallop_p99_mm", cut.scallop_p99_mm},
           {"gouge_max_mm", cut.gouge_max_mm},
           {"uncut_area_mm2", cut.uncut_area_mm2},
-          {"uncut", cut.uncut}};
+          {"uncut", cut.uncut},
+          {"deviation_mean_mm", cut.deviation_mean_mm},
+          {"sample_spacing_mm", cut.sample_spacing_mm},
+          {"histogram",
+           {{"least_mm", cut.histogram_min_mm}, {"step_mm", cut.histogram_step_mm}, {"counts", cut.histogram}}}};
+}
+
+Json stock_json(const sim::StockOutcome& stock) {
+  const auto corner = [](const geometry::Vec3& p) { return Json{p.x(), p.y(), p.z()}; };
+  Json json{{"assumed", stock.assumed},
+            {"box_min_mm", corner(stock.box_P_mm.min())},
+            {"box_max_mm", corner(stock.box_P_mm.max())},
+            {"grid_mm", stock.grid_mm},
+            {"first_mm3", stock.report.first_mm3},
+            {"left_mm3", stock.report.left_mm3},
+            {"removed_mm3", stock.report.first_mm3 - stock.report.left_mm3},
+            {"cutting_blocks", stock.report.removed.size()}};
+  const sim::LineVolume* most = nullptr;
+  for (const sim::LineVolume& line : stock.report.removed)
+    if (line.time_s > 0.0 && (!most || line.removed_mm3 * most->time_s > most->removed_mm3 * line.time_s)) most = &line;
+  if (most) {
+    json["removal_rate_max_mm3_s"] = most->removed_mm3 / most->time_s;
+    json["removal_rate_at_block"] = most->line;
+  }
+  return json;
 }
 
 Json collision_json(const sim::CollisionReport& collision, int planner_hits) {
@@ -139,9 +163,9 @@ Json loads_json(const sim::LoadsReport& loads, const kinematics::Machine& machin
   return json;
 }
 
-Json findings_json(const std::vector<sim::Finding>& findings) {
+Json findings_json(const std::vector<sim::Finding>& findings, const kinematics::Machine& machine) {
   Json json = Json::array();
-  for (const sim::Finding& finding : findings)
+  for (const sim::Finding& finding : findings) {
     json.push_back({{"kind", finding.kind},
                     {"block", finding.line},
                     {"time_s", finding.time_s},
@@ -149,7 +173,23 @@ Json findings_json(const std::vector<sim::Finding>& findings) {
                     {"value", finding.value},
                     {"limit", finding.limit},
                     {"text", finding.text}});
+    if (finding.pose_P) {
+      const auto &tip = finding.pose_P->tip_P_mm, &axis = finding.pose_P->axis_P;
+      json.back()["tip_mm"] = {tip.x(), tip.y(), tip.z()};
+      json.back()["tool_axis"] = {axis.x(), axis.y(), axis.z()};
+    }
+    if (!finding.axes) continue;
+    for (std::size_t i = 0; i < machine.axes.size(); ++i)
+      json.back()["axes"][letter_key(machine.axes[i].letter)] =
+          (*finding.axes)[static_cast<Eigen::Index>(i)] * people_unit(machine.axes[i]);
+  }
   return json;
+}
+
+std::vector<std::string> texts(const std::vector<sim::Finding>& findings) {
+  std::vector<std::string> lines;
+  for (const sim::Finding& finding : findings) lines.push_back(finding.text);
+  return lines;
 }
 
 Json timing_json(const std::map<std::string, double>& timing_s) {
@@ -208,9 +248,11 @@ Json plan_json(const planner::PlanResult& plan) {
 Json verify_json(const sim::VerifyResult& result, const kinematics::Profile& profile, int planner_hits) {
   Json json{{"run", run_json(result.run, profile.machine)}};
   if (result.cut) json["machining"] = machining_json(*result.cut);
+  if (result.stock) json["stock"] = stock_json(*result.stock);
   if (result.collision) json["collision"] = collision_json(*result.collision, planner_hits);
   if (result.loads.known) json["loads"] = loads_json(result.loads, profile.machine);
-  json["findings"] = findings_json(result.findings);
+  json["findings"] = findings_json(result.findings, profile.machine);
+  if (!result.warnings.empty()) json["warnings"] = findings_json(result.warnings, profile.machine);
   json["timing"] = timing_json(result.timing_s);
   return json;
 }

@@ -22,7 +22,10 @@ Json run_json(const sim::RunReport& run, const kinematics::Machine& machine);
 Json machining_json(const sim::CutSurfaceReport& cut);
 Json collision_json(const sim::CollisionReport& collision, int planner_hits);
 Json loads_json(const sim::LoadsReport& loads, const kinematics::Machine& machine);
-Json findings_json(const std::vector<sim::Finding>& findings);
+Json findings_json(const std::vector<sim::Finding>& findings, const kinematics::Machine& machine);
+Json stock_json(const sim::StockOutcome& stock);
+/// The lines of findings, for people.
+std::vector<std::string> texts(const std::vector<sim::Finding>& findings);
 Json timing_json(const std::map<std::string, double>& timing_s);
 Json mesh_json(const geometry::MeshReport& report, const std::string& file);
 
@@ -31,7 +34,7 @@ Json without_seconds(Json report);
 
 /// The parts that a plan knows: surface, path, orientation, timing.
 Json plan_json(const planner::PlanResult& plan);
-/// program, run, machining, collision, loads, findings, timing.
+/// program, run, machining, stock, collision, loads, findings, warnings, timing.
 Json verify_json(const sim::VerifyResult& result, const kinematics::Profile& profile, int planner_hits);
 
 }  // namespace volute::app

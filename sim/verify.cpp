@@ -70,11 +70,26 @@ Result<RunReport> run(const VerifyRequest& request, const Stages& stages, RunWat
       [&](double done) { stages.tell(done); });
 }
 
+/// The stock before the run as a mesh.
+geometry::TriangleMesh blank(const StockSetup& setup) {
+  if (setup.solid_P) return *setup.solid_P;
+  geometry::TriangleMesh box;
+  for (const auto corner :
+       {Eigen::AlignedBox3d::BottomLeftFloor, Eigen::AlignedBox3d::BottomRightFloor, Eigen::AlignedBox3d::TopLeftFloor,
+        Eigen::AlignedBox3d::TopRightFloor, Eigen::AlignedBox3d::BottomLeftCeil, Eigen::AlignedBox3d::BottomRightCeil,
+        Eigen::AlignedBox3d::TopLeftCeil, Eigen::AlignedBox3d::TopRightCeil})
+    box.vertices_mm.push_back(setup.box_P_mm.corner(corner));
+  box.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                   {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return box;
+}
+
 CollisionScene scene(const VerifyRequest& request) {
   CollisionScene out;
   if (request.surface_P) out.part_P = *request.surface_P;
   out.obstacles_P = request.obstacles_P;
   out.obstacle_names = request.obstacle_names;
+  if (request.stock && !request.stock->assumed) out.stock_P = blank(*request.stock);
   out.tool = request.tool;
   out.gouge_tolerance_mm = request.cut.gouge_limit_mm;
   out.clearance_mm = request.clearance_mm;
@@ -111,6 +126,45 @@ void add_travel_findings(const VerifyRequest& request, VerifyResult& result) {
   }
 }
 
+void measure_surface(const VerifyRequest& request, const std::vector<SweptPose>& moves, Stages& stages,
+                     VerifyResult& result) {
+  stages.begin("cut surface");
+  result.cut = measure_cut_surface(*request.surface_P, request.tool.cutter, moves, request.cut);
+  if (request.picture_vertices_max == 0) return;
+  stages.begin("picture of the cut surface");
+  // A quarter of the path interval shows every scallop; samples stand a tenth of it apart.
+  result.picture = cut_picture(*request.surface_P, request.tool.cutter, moves, request.cut,
+                               2.5 * result.cut->sample_spacing_mm, request.picture_vertices_max);
+}
+
+Result<void> measure_material(const VerifyRequest& request, const std::vector<SweptPose>& moves, const Stages& stages,
+                              VerifyResult& result) {
+  auto stock = make_stock(*request.stock);
+  if (!stock) return tl::unexpected(stock.error());
+  StockRunOptions options;
+  options.step_mm = request.collision_step_mm;
+  options.progress = [&](double done) { stages.tell(done); };
+  StockOutcome outcome;
+  outcome.report = run_through_stock(*stock, request.tool, moves, options);
+  outcome.skin_P = stock->skin();
+  outcome.box_P_mm = stock->box();
+  outcome.grid_mm = stock->grid_mm();
+  outcome.assumed = request.stock->assumed;
+  result.stock = std::move(outcome);
+  return {};
+}
+
+/// What a run meets in a stock that nobody gave is told in one line: the first place.
+void add_stock_warning(const StockReport& report, std::vector<Finding>& warnings) {
+  if (report.findings.empty()) return;
+  Finding warning = report.findings.front();
+  warning.text = "in a full block about the part " + std::to_string(report.findings.size()) +
+                 (report.findings.size() == 1 ? " place" : " places") + " would meet material, the first at line " +
+                 std::to_string(warning.line) + " (" + warning.axis_or_pair +
+                 "); the stock is not given: give it to have this judged";
+  warnings.push_back(std::move(warning));
+}
+
 void gather_findings(const VerifyRequest& request, VerifyResult& result) {
   const auto take = [&](const std::vector<Finding>& findings) {
     result.findings.insert(result.findings.end(), findings.begin(), findings.end());
@@ -120,7 +174,13 @@ void gather_findings(const VerifyRequest& request, VerifyResult& result) {
   if (result.cut) take(result.cut->findings);
   if (result.collision) take(result.collision->findings);
   take(result.loads.findings);
+  result.warnings = result.loads.warnings;
+  if (result.stock && result.stock->assumed)
+    add_stock_warning(result.stock->report, result.warnings);
+  else if (result.stock)
+    take(result.stock->report.findings);
   sort_by_severity(result.findings);
+  sort_by_severity(result.warnings);
 }
 
 TraceView trace_view(const VerifyRequest& request, std::vector<AxisSample> samples) {
@@ -149,9 +209,11 @@ Result<VerifyResult> verify(const VerifyRequest& request) {
   if (!report) return tl::unexpected(report.error());
   result.run = std::move(*report);
 
-  if (request.surface_P) {
-    stages.begin("cut surface");
-    result.cut = measure_cut_surface(*request.surface_P, request.tool.cutter, watch.moves(), request.cut);
+  const std::vector<SweptPose> moves = watch.moves();
+  if (request.surface_P) measure_surface(request, moves, stages, result);
+  if (request.stock) {
+    stages.begin("stock");
+    if (auto cut = measure_material(request, moves, stages, result); !cut) return tl::unexpected(cut.error());
   }
 
   stages.begin("collisions");

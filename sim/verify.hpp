@@ -11,7 +11,10 @@
 #include "sim/collision.hpp"
 #include "sim/controller/control_run.hpp"
 #include "sim/loads.hpp"
+#include "sim/machining/cut_picture.hpp"
 #include "sim/machining/cut_surface.hpp"
+#include "sim/machining/stock_run.hpp"
+#include "sim/machining/stock_setup.hpp"
 
 namespace volute::sim {
 
@@ -25,6 +28,9 @@ struct VerifyRequest {
   std::vector<geometry::TriangleMesh> obstacles_P;
   std::vector<std::string> obstacle_names;
   CutSurfaceOptions cut;
+  /// Corners of the coloured mesh of the cut surface, at most; 0: none is made.
+  std::size_t picture_vertices_max = 0;
+  std::optional<StockSetup> stock;  ///< nothing: no material is cut
   double collision_step_mm = 0.5;
   double clearance_mm = 0.0;
   /// Reference to compare with (invariant 2): tip and axis per cutting point of the tool path, in order; empty:
@@ -40,19 +46,32 @@ struct TraceView {
   std::vector<kinematics::ToolPose> poses_P;
 };
 
+/// The material: what the run took, what it met, what is left.
+struct StockOutcome {
+  StockReport report;
+  geometry::TriangleMesh skin_P;  ///< of what is left
+  Eigen::AlignedBox3d box_P_mm;   ///< about the first stock
+  double grid_mm = 0.0;
+  bool assumed = false;
+};
+
 struct VerifyResult {
   RunReport run;
   std::optional<CutSurfaceReport> cut;
+  std::optional<CutPicture> picture;
+  std::optional<StockOutcome> stock;
   std::optional<CollisionReport> collision;
   LoadsReport loads;
-  std::vector<Finding> findings;      ///< sorted by severity, then line
+  std::vector<Finding> findings;      ///< sorted by severity, then line; none: the program passed
+  std::vector<Finding> warnings;      ///< what rests on assumed numbers or an assumed stock: told, not judged
   std::int64_t commanded_points = 0;  ///< feed points read back from the text for the comparison with `expected_poses`
   TraceView trace;
   std::map<std::string, double> timing_s;
 };
 
 /// Reads, runs, measures and judges. Memory: bounded by the moves of the thinned run (chords within 0.5 micrometres),
-/// not by its time. The surface is also the part for collisions. Errors: those of the interpreter and the control.
+/// not by its time. The surface is also the part for collisions. Errors: those of the interpreter, of the control and
+/// of make_stock.
 Result<VerifyResult> verify(const VerifyRequest& request);
 
 }  // namespace volute::sim

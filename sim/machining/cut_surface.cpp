@@ -9,6 +9,7 @@
 #include "geometry/mesh_measure.hpp"
 #include "geometry/number_text.hpp"
 #include "sim/machining/cut_measure.hpp"
+#include "sim/machining/notch_search.hpp"
 
 namespace volute::sim {
 namespace {
@@ -183,7 +184,10 @@ CutSurfaceReport measure_cut_surface(const geometry::TriangleMesh& surface, cons
   report.samples = samples.count();
   add_areas(measurement, report);
   add_histogram(measurement, report);
-  add_gouges(measurement.deepest(), poses, cutter.radius_mm, options.gouge_limit_mm, report);
+  std::vector<Extreme> deepest = measurement.deepest();
+  const auto notches = deepest_notches(swept, surface, 0.1 * options.gouge_limit_mm, zoom_deep_max);
+  deepest.insert(deepest.end(), notches.begin(), notches.end());
+  add_gouges(std::move(deepest), poses, cutter.radius_mm, options.gouge_limit_mm, report);
   add_uncut(measurement.highest(), poses, options, report);
   report.vertex_deviation_mm = measure_vertices(swept, surface, heights);
   return report;

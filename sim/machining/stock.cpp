@@ -15,7 +15,7 @@ using Box3 = Eigen::AlignedBox3d;
 /// A tool's place with the pose whose move it belongs to and the box about it.
 struct CuttingPlace {
   StandingCutter stand;
-  std::size_t pose = 0;
+  std::size_t from = 0, pose = 0;  // of a move; `from` is the pose where it began
   Box3 box;
 };
 
@@ -75,10 +75,10 @@ std::vector<CuttingPlace> places(const kinematics::Cutter& cutter, const CutterP
   const double cusp_mm = 0.75 * tolerance_mm, chord_mm = 0.25 * tolerance_mm;
   const double spacing = place_spacing(profile, cutter, cusp_mm);
   std::vector<CuttingPlace> out;
-  const auto add = [&](const StandingCutter& stand, std::size_t pose) {
-    out.push_back({stand, pose, box_of(profile, cutter, stand)});
+  const auto add = [&](const StandingCutter& stand, std::size_t from, std::size_t pose) {
+    out.push_back({stand, from, pose, box_of(profile, cutter, stand)});
   };
-  if (!poses.empty()) add({poses[0].pose.tip_P_mm, poses[0].pose.axis_P}, 0);
+  if (!poses.empty()) add({poses[0].pose.tip_P_mm, poses[0].pose.axis_P}, 0, 0);
   for (std::size_t from = 0, to = 1; to < poses.size(); from = to, ++to) {
     while (to + 1 < poses.size() && poses[to].rapid == poses[to + 1].rapid &&
            apart(profile, poses[from].pose, poses[to + 1].pose) <= spacing &&
@@ -92,11 +92,26 @@ std::vector<CuttingPlace> places(const kinematics::Cutter& cutter, const CutterP
     const int parts = static_cast<int>(std::ceil(apart(profile, a, b) / step));
     for (int k = 1; k < parts; ++k) {
       const double s = static_cast<double>(k) / parts;
-      add({a.tip_P_mm + s * (b.tip_P_mm - a.tip_P_mm), ((1.0 - s) * a.axis_P + s * b.axis_P).normalized()}, to);
+      add({a.tip_P_mm + s * (b.tip_P_mm - a.tip_P_mm), ((1.0 - s) * a.axis_P + s * b.axis_P).normalized()}, from, to);
     }
-    add({b.tip_P_mm, b.axis_P}, to);
+    add({b.tip_P_mm, b.axis_P}, from, to);
   }
   return out;
+}
+
+/// What a move over several poses removed stands with its last pose: here each of them gets its share by how far it
+/// moves.
+void share_among_poses(const CutterProfile& profile, std::span<const SweptPose> poses,
+                       const std::vector<CuttingPlace>& all, std::vector<double>& removed) {
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const std::size_t from = all[k].from, to = all[k].pose;
+    if (to < from + 2 || removed[to] <= 0.0 || (k + 1 < all.size() && all[k + 1].pose == to)) continue;
+    double way = 0.0;
+    for (std::size_t i = from + 1; i <= to; ++i) way += apart(profile, poses[i - 1].pose, poses[i].pose);
+    const double volume = removed[to];
+    for (std::size_t i = from + 1; i <= to && way > 0.0; ++i)
+      removed[i] = volume * apart(profile, poses[i - 1].pose, poses[i].pose) / way;
+  }
 }
 
 /// Columns of one row that a tool can reach: within its greatest radius of its axis, both seen along the rays.
@@ -149,7 +164,10 @@ void cut_row(DexelGrid& grid, int row, const CutterProfile& profile, const std::
 }  // namespace
 
 Stock::Stock(const Vec3& low_mm, const std::array<int, 3>& nodes, double grid_mm)
-    : low_mm_(low_mm), nodes_(nodes), grid_mm_(grid_mm) {
+    : low_mm_(low_mm),
+      box_mm_(low_mm, Vec3(low_mm + grid_mm * Vec3(nodes[0], nodes[1], nodes[2]))),
+      nodes_(nodes),
+      grid_mm_(grid_mm) {
   for (int axis = 0; axis < 3; ++axis) grids_.emplace_back(axis, low_mm, nodes, grid_mm);
 }
 
@@ -209,27 +227,53 @@ std::vector<double> Stock::cut(const kinematics::Cutter& cutter, std::span<const
     }
   }
   for (double& volume : removed) volume *= grid_mm_ * grid_mm_ / 3.0;
+  share_among_poses(profile, poses, all, removed);
   return removed;
 }
 
-double Stock::overlap_mm3(const kinematics::ConeSegment& segment, const kinematics::ToolPose& pose) const {
+template <class Visit>
+void Stock::visit_inside(const kinematics::ConeSegment& segment, const kinematics::ToolPose& pose,
+                         Visit&& visit) const {
   const StandingCutter stand{pose.tip_P_mm, pose.axis_P};
-  Box3 box;
-  extend_by_disc(box, stand.tip_mm + segment.z_mm * stand.axis, stand.axis, segment.bottom_radius_mm);
-  extend_by_disc(box, stand.tip_mm + (segment.z_mm + segment.length_mm) * stand.axis, stand.axis,
-                 segment.top_radius_mm);
-  double sum = 0.0;
+  const Box3 box = box_of_cone(segment, pose);
+  if (!box.intersects(box_mm_)) return;
   for (const DexelGrid& grid : grids_) {
     const LineSpans spans(segment, stand, grid.direction());
     const auto range = grid.range(box);
     for (int row = range.row_begin; row < range.row_end; ++row) {
       for (int column = range.column_begin; column < range.column_end; ++column) {
         if (!grid.reaches(column, row, box.min()[grid.axis()], box.max()[grid.axis()])) continue;
-        if (const auto span = spans.of(grid.node(column, row))) sum += grid.overlap(column, row, *span);
+        const auto span = spans.of(grid.node(column, row));
+        if (span && !visit(grid, column, row, *span)) return;
       }
     }
   }
+}
+
+double Stock::overlap_mm3(const kinematics::ConeSegment& segment, const kinematics::ToolPose& pose) const {
+  double sum = 0.0;
+  visit_inside(segment, pose, [&](const DexelGrid& grid, int column, int row, const Span& span) {
+    sum += grid.overlap(column, row, span);
+    return true;
+  });
   return sum * grid_mm_ * grid_mm_ / 3.0;
+}
+
+bool Stock::touches(const kinematics::ConeSegment& segment, const kinematics::ToolPose& pose) const {
+  bool found = false;
+  visit_inside(segment, pose, [&](const DexelGrid& grid, int column, int row, const Span& span) {
+    found = grid.overlap(column, row, span) > 0.0;
+    return !found;
+  });
+  return found;
+}
+
+Eigen::AlignedBox3d box_of_cone(const kinematics::ConeSegment& segment, const kinematics::ToolPose& pose) {
+  Box3 box;
+  extend_by_disc(box, pose.tip_P_mm + segment.z_mm * pose.axis_P, pose.axis_P, segment.bottom_radius_mm);
+  extend_by_disc(box, pose.tip_P_mm + (segment.z_mm + segment.length_mm) * pose.axis_P, pose.axis_P,
+                 segment.top_radius_mm);
+  return box;
 }
 
 }  // namespace volute::sim

@@ -26,13 +26,20 @@ class Stock {
   [[nodiscard]] double volume_mm3() const;
 
   /// Cuts along the moves between the poses (the first pose cuts where it stands) and returns the volume that each
-  /// pose's move removed, mm3; poses closer together than the tolerance needs count with the next one that is farther.
-  /// `tolerance_mm`: greatest cusp between places and chord of what is passed over.
+  /// pose's move removed, mm3; poses closer together than the tolerance needs are cut as one and share its volume by
+  /// how far each one moves. `tolerance_mm`: greatest cusp between places and chord of what is passed over.
   std::vector<double> cut(const kinematics::Cutter& cutter, std::span<const SweptPose> poses, double tolerance_mm);
 
   /// Volume of the material inside a cone of the tool that stands at a pose, mm3: whether a holder or shank is in the
   /// stock.
   [[nodiscard]] double overlap_mm3(const kinematics::ConeSegment& segment, const kinematics::ToolPose& pose) const;
+
+  /// Whether there is any material inside the cone: quicker than the volume.
+  [[nodiscard]] bool touches(const kinematics::ConeSegment& segment, const kinematics::ToolPose& pose) const;
+
+  /// The box about the first stock.
+  [[nodiscard]] const Eigen::AlignedBox3d& box() const { return box_mm_; }
+  [[nodiscard]] double grid_mm() const { return grid_mm_; }
 
   /// The skin of what is left as a closed mesh (one vertex a cell that the skin passes, at the mean of its crossings).
   [[nodiscard]] geometry::TriangleMesh skin() const;
@@ -40,10 +47,17 @@ class Stock {
  private:
   Stock(const Vec3& low_mm, const std::array<int, 3>& nodes, double grid_mm);
   friend class StockSkin;
+  /// Calls visit(grid, column, row, span) for each ray's span inside the cone while visit returns true.
+  template <class Visit>
+  void visit_inside(const kinematics::ConeSegment& segment, const kinematics::ToolPose& pose, Visit&& visit) const;
   Vec3 low_mm_;
+  Eigen::AlignedBox3d box_mm_;
   std::array<int, 3> nodes_;
   double grid_mm_;
   std::vector<DexelGrid> grids_;  // along x, y, z
 };
+
+/// The box about a cone of a tool that stands at a pose.
+Eigen::AlignedBox3d box_of_cone(const kinematics::ConeSegment& segment, const kinematics::ToolPose& pose);
 
 }  // namespace volute::sim

@@ -46,7 +46,12 @@ class SweptCutter {
   [[nodiscard]] std::optional<SweptEntry> entry(const Vec3& point_mm, const Vec3& normal, double limit_mm,
                                                 const Near& near) const;
 
+  [[nodiscard]] bool ball_nose() const { return ball_nose_; }
+  [[nodiscard]] const CutterProfile& profile() const { return profile_; }
   [[nodiscard]] std::size_t place_count() const { return places_.size(); }
+  [[nodiscard]] const StandingCutter& place(std::int32_t i) const {
+    return places_[static_cast<std::size_t>(i)].cutter;
+  }
 
  private:
   struct Place {

@@ -106,6 +106,47 @@ TEST(Verify, BrokenTextIsAnErrorWithItsLine) {
   EXPECT_NE(result.error().message.find("plate.nc"), std::string::npos);
 }
 
+/// The stock stands 3 mm over the plate: a pass at feed takes it, a rapid through it is a finding where the stock was
+/// given, and a word of warning where it was assumed.
+TEST(Verify, ARapidThroughStockIsAFindingOrAWarning) {
+  std::string text = zigzag(10.0, 0.5);
+  const std::string plain = text;
+  text.insert(text.find("G1 X0"), "G0 X20 Y5 Z1\nG0 X-20 Y5 Z1\nG0 Z20\n");
+  for (const bool assumed : {true, false}) {
+    auto r = request(text);
+    StockSetup stock;
+    stock.box_P_mm = Eigen::AlignedBox3d(Vec3(-1, -1, -2), Vec3(11, 11, 3));
+    stock.assumed = assumed;
+    r.stock = stock;
+    r.picture_vertices_max = 3000;
+    const auto result = verify(r);
+    ASSERT_TRUE(result) << result.error().message;
+    const auto& told = assumed ? result->warnings : result->findings;
+    bool found = false;
+    for (const Finding& f : told) found = found || (f.axis_or_pair == "cutter-stock" && f.line >= 5 && f.line <= 8);
+    EXPECT_TRUE(found) << "assumed " << assumed;
+    if (assumed) {
+      for (const Finding& f : result->findings) EXPECT_EQ(f.axis_or_pair.find("stock"), std::string::npos) << f.text;
+    }
+    ASSERT_TRUE(result->stock && result->picture);
+    EXPECT_GT(result->stock->report.first_mm3 - result->stock->report.left_mm3, 0.9 * 3 * 11 * 12);
+    EXPECT_GT(result->stock->skin_P.triangles.size(), 1000u);
+    EXPECT_LE(result->picture->mesh.vertices_mm.size(), 4000u);
+  }
+  auto r = request(plain);
+  r.stock = StockSetup{{}, Eigen::AlignedBox3d(Vec3(-1, -1, -2), Vec3(11, 11, 3)), 0.0, false};
+  const auto result = verify(r);
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_TRUE(result->findings.empty()) << result->findings.at(0).text;
+}
+
+TEST(Verify, AnOpenSolidAsStockIsRefused) {
+  auto r = request(zigzag(10.0, 2.0));
+  r.stock = StockSetup{plate(10.0), {}, 0.2, false};
+  const auto result = verify(r);
+  ASSERT_FALSE(result);
+}
+
 TEST(Verify, DoesNotDependOnTheNumberOfThreads) {
   const auto many = verify(request(zigzag(10.0, 0.7, 3)));
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "shapes.hpp"
-#include "sim/machining/stock_run.hpp"
 
 namespace volute::sim {
 namespace {
@@ -148,47 +147,6 @@ TEST(Stock, DoesNotDependOnTheNumberOfThreads) {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_EQ(a, single.cut(test::ball(3, 20), poses, 0.01));
   EXPECT_EQ(many.volume_mm3(), single.volume_mm3());
-}
-
-kinematics::Tool tool() {
-  kinematics::Tool t;
-  t.cutter = test::ball(3, 12);
-  t.shank_radius_mm = 3;
-  t.stick_out_mm = 20;
-  t.holder = {{15, 15, 20, 20}};
-  return t;
-}
-
-TEST(StockRun, VolumesByLineAddUp) {
-  Stock stock = Stock::box({0, 0, 0}, {40, 40, 20}, 0.25);
-  const std::vector<SweptPose> poses{at({-5, 10, 18}, Vec3::UnitZ(), 1), at({45, 10, 18}, Vec3::UnitZ(), 2),
-                                     at({45, 20, 18}, Vec3::UnitZ(), 3), at({-5, 20, 18}, Vec3::UnitZ(), 4)};
-  const auto report = run_through_stock(stock, tool(), poses, {});
-  double sum = 0.0;
-  for (const auto& l : report.removed) sum += l.removed_mm3;
-  EXPECT_NEAR(report.first_mm3 - report.left_mm3, sum, 1e-6 * report.first_mm3);
-  ASSERT_EQ(report.removed.size(), 2u);
-  EXPECT_EQ(report.removed[0].line, 2);
-  EXPECT_EQ(report.removed[1].line, 4);
-  EXPECT_TRUE(report.findings.empty());
-}
-
-TEST(StockRun, ARapidThroughStockAndAHolderInItAreFound) {
-  Stock stock = Stock::box({0, 0, 0}, {40, 40, 20}, 0.25);
-  const auto rapid = run_through_stock(
-      stock, tool(),
-      std::vector<SweptPose>{at({-5, 10, 18}, Vec3::UnitZ(), 1, true), at({45, 10, 18}, Vec3::UnitZ(), 2, true)}, {});
-  ASSERT_EQ(rapid.findings.size(), 1u);
-  EXPECT_EQ(rapid.findings[0].axis_or_pair, "cutter-stock");
-  EXPECT_EQ(rapid.findings[0].line, 2);
-  Stock deep = Stock::box({0, 0, 0}, {40, 40, 40}, 0.25);
-  const auto holder = run_through_stock(
-      deep, tool(), std::vector<SweptPose>{at({-30, 20, 15}, Vec3::UnitZ(), 1), at({10, 20, 15}, Vec3::UnitZ(), 2)},
-      {});
-  ASSERT_FALSE(holder.findings.empty());
-  bool found = false;
-  for (const auto& f : holder.findings) found = found || f.axis_or_pair == "holder-stock";
-  EXPECT_TRUE(found);
 }
 
 }  // namespace

@@ -1,0 +1,56 @@
+#include "sim/machining/stock_setup.hpp"
+
+#include <cmath>
+
+#include "geometry/number_text.hpp"
+
+namespace volute::sim {
+namespace {
+
+using geometry::short_text;
+
+Eigen::AlignedBox3d box_about(const geometry::TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& p : mesh.vertices_mm) box.extend(p);
+  return box;
+}
+
+std::string corner_text(const Vec3& p) { return short_text(p.x()) + " " + short_text(p.y()) + " " + short_text(p.z()); }
+
+}  // namespace
+
+StockSetup assumed_stock(const geometry::TriangleMesh& surface_P, double allowance_mm) {
+  StockSetup setup;
+  setup.box_P_mm = box_about(surface_P);
+  setup.box_P_mm.min().array() -= allowance_mm;
+  setup.box_P_mm.max().array() += allowance_mm;
+  setup.assumed = true;
+  return setup;
+}
+
+double default_stock_grid_mm(const StockSetup& setup) {
+  const Eigen::AlignedBox3d box = setup.solid_P ? box_about(*setup.solid_P) : setup.box_P_mm;
+  return box.isEmpty() ? 1.0 : box.sizes().maxCoeff() / 200.0;
+}
+
+geometry::Result<Stock> make_stock(const StockSetup& setup) {
+  constexpr double rays_max = 6e7;
+  const Eigen::AlignedBox3d box = setup.solid_P ? box_about(*setup.solid_P) : setup.box_P_mm;
+  if (!setup.solid_P && (box.isEmpty() || box.sizes().minCoeff() <= 0.0))
+    return geometry::bad_input("stock-box-empty", "the stock's box from (" + corner_text(box.min()) + ") to (" +
+                                                      corner_text(box.max()) +
+                                                      ") holds nothing; its low corner must lie below its high one");
+  const double grid_mm = setup.grid_mm > 0.0 ? setup.grid_mm : default_stock_grid_mm(setup);
+  const Vec3 n = box.isEmpty() ? Vec3::Zero().eval() : Vec3(box.sizes() / grid_mm);
+  const double rays = n.x() * n.y() + n.y() * n.z() + n.z() * n.x();
+  if (rays > rays_max)
+    return geometry::bad_input("stock-grid-too-fine",
+                               "a stock grid of " + short_text(grid_mm) + " mm takes " + short_text(rays / 1e6, 3) +
+                                   " million rays in this stock; at most " + short_text(rays_max / 1e6, 3) +
+                                   " million are kept: give a grid of " +
+                                   short_text(grid_mm * std::sqrt(rays / rays_max) * 1.05, 2) + " mm or more");
+  if (setup.solid_P) return Stock::solid(*setup.solid_P, grid_mm);
+  return Stock::box(box.min(), box.max(), grid_mm);
+}
+
+}  // namespace volute::sim
