@@ -39,6 +39,17 @@ BENCHMARK_CAPTURE(write_blocks, fanuc, "ac-head-fanuc");
 BENCHMARK_CAPTURE(write_blocks, linuxcnc, "ac-head-linuxcnc");
 BENCHMARK_CAPTURE(write_blocks, siemens_vector, "ac-head-siemens-vector");
 
+// The whole of it: inverse kinematics, linearization, text.
+void post_program(benchmark::State& state, const char* profile_name) {
+  const kinematics::Profile profile = post::testing::profile_named(profile_name);
+  std::int64_t blocks = 0;
+  for (auto _ : state) blocks += post::post(request(), profile)->blocks;
+  state.SetItemsProcessed(blocks);
+}
+BENCHMARK_CAPTURE(post_program, fanuc, "ac-head-fanuc");
+BENCHMARK_CAPTURE(post_program, linuxcnc, "ac-head-linuxcnc");
+BENCHMARK_CAPTURE(post_program, siemens_vector, "ac-head-siemens-vector");
+
 // The peer: five numbers a block by std::to_chars and nothing else.
 void bare_numbers(benchmark::State& state) {
   std::int64_t blocks = 0;

@@ -91,13 +91,13 @@ BlockWriter::Units BlockWriter::units_of(const BlockWords& words) const {
 // a control holds when all are left out depends on its options. An LN block takes no coordinate over from the block
 // before either.
 bool BlockWriter::append_changed(const Units& units) {
-  const auto changed = [&](std::size_t slot) { return units[slot] && units[slot] != known_[slot]; };
-  bool any = false;
-  for (std::size_t k = 0; k < slots; ++k) any = any || changed(k);
-  if (!any) return false;
+  unsigned changed = 0;
+  for (std::size_t k = 0; k < slots; ++k)
+    changed |= static_cast<unsigned>(units[k].has_value() && units[k] != known_[k]) << k;
+  if (changed == 0) return false;
   const bool whole = heidenhain_ && units[5].has_value();
   for (std::size_t k = 0; k < slots; ++k) {
-    if (!units[k] || (k < 5 && !whole && !changed(k))) continue;
+    if (!units[k] || (k < 5 && !whole && ((changed >> k) & 1U) == 0)) continue;
     text_ += ' ';
     text_ += address_[k];
     append_scaled(text_, *units[k], format_of(k));

@@ -26,6 +26,8 @@ class BlockWriter {
  public:
   BlockWriter(const kinematics::Machine& machine, const kinematics::Control& control);
 
+  /// Makes room for so many blocks of the usual length.
+  void expect_blocks(std::size_t count) { text_.reserve(text_.size() + 50 * count); }
   /// A line of the control file, filled in; nothing when empty. What the control remembers afterwards is unknown: all
   /// words are due again.
   void line(std::string_view text);

@@ -124,6 +124,7 @@ void Program::leave() {
 }
 
 void Program::motion() {
+  writer_.expect_blocks(path_.points.size());
   for (std::size_t i = 1; i < path_.points.size(); ++i) {
     const AxisPathPoint& point = path_.points[i];
     if (!point.machine_move) {

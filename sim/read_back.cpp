@@ -26,6 +26,7 @@ class WordTracker {
     if (block.machine_coordinates) {
       linear_known_ = {};
       rotary_known_ = {};
+      if (block.axis_vector || block.rotary_programmed[0] || block.rotary_programmed[1]) vector_.reset();
       return std::nullopt;
     }
     if (block.tcp != tcp_) linear_known_ = {};
@@ -38,7 +39,22 @@ class WordTracker {
         linear_known_[i] = true;
       }
     }
+    take_orientation(block);
+    const bool oriented = vector_ || (rotary_known_[0] && rotary_known_[1]);
+    if (!oriented || !(linear_known_[0] && linear_known_[1] && linear_known_[2])) return std::nullopt;
+    return pose();
+  }
+
+ private:
+  // A vector says nothing of the rotaries, and holds until another one or rotary words come.
+  void take_orientation(const MotionBlock& block) {
+    if (block.axis_vector) {
+      vector_ = block.axis_vector;
+      rotary_known_ = {};
+      return;
+    }
     for (std::size_t i = 0; i < 2; ++i) {
+      if (block.rotary_programmed[i]) vector_.reset();
       if (block.rotary_relative[i]) {
         rotary_[i] += block.rotary_rad[i];
       } else if (block.rotary_known[i] || block.rotary_programmed[i]) {
@@ -46,23 +62,20 @@ class WordTracker {
         rotary_known_[i] = true;
       }
     }
-    const bool oriented = block.axis_vector || (rotary_known_[0] && rotary_known_[1]);
-    if (!oriented || !(linear_known_[0] && linear_known_[1] && linear_known_[2])) return std::nullopt;
-    return pose(block);
   }
 
- private:
-  [[nodiscard]] ToolPose pose(const MotionBlock& block) const {
+  [[nodiscard]] std::optional<ToolPose> pose() const {
     AxisVector q = zero_;
     q.tail<2>() = Eigen::Vector2d(rotary_[0], rotary_[1]);
-    if (!block.tcp) {
+    if (!tcp_) {
+      if (vector_) return std::nullopt;  // where the rotaries stand is the control's choice
       q.head<3>() += xyz_;
       return kinematics::tool_pose(machine_, setup_, tool_length_mm_, q);
     }
     const geometry::Mat3 R_PM = setup_.part_in_machine.linear().transpose();
-    const Vec3 axis_P = block.axis_vector ? Vec3(R_PM * *block.axis_vector)
-                                          : kinematics::tool_pose(machine_, setup_, tool_length_mm_, q).axis_P;
-    return {R_PM * xyz_, axis_P};
+    const Vec3 axis_P =
+        vector_ ? Vec3(R_PM * *vector_) : kinematics::tool_pose(machine_, setup_, tool_length_mm_, q).axis_P;
+    return ToolPose{R_PM * xyz_, axis_P};
   }
 
   const kinematics::Machine& machine_;
@@ -74,6 +87,7 @@ class WordTracker {
   std::array<double, 2> rotary_{};
   std::array<bool, 3> linear_known_{};
   std::array<bool, 2> rotary_known_{};
+  std::optional<Vec3> vector_;  ///< the tool axis in the work frame, where the program gives it so
 };
 
 struct Deviation {

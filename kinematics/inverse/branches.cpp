@@ -17,8 +17,7 @@ namespace {
 constexpr double impossible = std::numeric_limits<double>::infinity();
 // A reposition costs more than any motion of the rotaries over a path (s); so the fewest of them are taken.
 constexpr double reposition_cost_s = 1e6;
-
-double wrapped(double angle) { return std::remainder(angle, turn_rad); }
+constexpr double equal_cost = 1e-9;  // relative, and in s
 
 std::string degrees(double rad) { return short_text(geometry::Angle::radians(rad).degrees()); }
 
@@ -26,11 +25,10 @@ std::string degrees(double rad) { return short_text(geometry::Angle::radians(rad
 // over a path.
 PointCandidates candidates_at(const PathProblem& problem, const Vec3& axis_P) {
   PointCandidates point;
-  const std::vector<RotarySolution> solutions =
-      solve_rotaries(problem.machine, problem.setup.part_in_machine.linear() * axis_P);
-  for (std::size_t k = 0; k < solutions.size(); ++k) {
-    point.at_pole = solutions[k].at_pole;
-    point.rotary[k] = {solutions[k].first_rad, solutions[k].second_rad};
+  const RotarySolutions solutions = problem.solver.rotaries(problem.R_MP * axis_P);
+  for (std::size_t k = 0; k < solutions.count; ++k) {
+    point.at_pole = solutions.way[k].at_pole;
+    point.rotary[k] = {solutions.way[k].first_rad, solutions.way[k].second_rad};
     point.possible[k] = true;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const auto place = place_in_travel(problem.machine.axes[3 + axis], point.rotary[k][axis]);
@@ -54,18 +52,18 @@ Pole pole_of(const PathProblem& problem) {
 }
 
 PointCandidates candidates_near_pole(const PathProblem& problem, const Pole& pole, const Vec3& axis_P) {
-  const Vec3 axis_M = problem.setup.part_in_machine.linear() * axis_P;
+  const Vec3 axis_M = problem.R_MP * axis_P;
   if (axis_M.cross(pole.direction_M).norm() > pole.sine_max) return candidates_at(problem, axis_P);
   const double side = axis_M.dot(pole.direction_M) > 0.0 ? 1.0 : -1.0;
-  PointCandidates exact =
-      candidates_at(problem, problem.setup.part_in_machine.linear().transpose() * (side * pole.direction_M));
+  PointCandidates exact = candidates_at(problem, problem.R_PM * (side * pole.direction_M));
   return exact.possible[0] ? exact : candidates_at(problem, axis_P);
 }
 
 std::string travel_message(const PathProblem& problem, std::size_t index) {
-  const Vec3 axis_M = problem.setup.part_in_machine.linear() * problem.path.points[index].pose.axis_P;
+  const Vec3 axis_M = problem.R_MP * problem.path.points[index].pose.axis_P;
   const std::string where = "CC point " + std::to_string(index) + ": ";
-  for (const RotarySolution& solution : solve_rotaries(problem.machine, axis_M))
+  const RotarySolutions found = problem.solver.rotaries(axis_M);
+  for (const RotarySolution& solution : found.all())
     for (std::size_t k = 0; k < 2; ++k) {
       const Axis& axis = problem.machine.axes[3 + k];
       const double angle = k == 0 ? solution.first_rad : solution.second_rad;
@@ -85,7 +83,7 @@ Result<std::vector<PointCandidates>> all_candidates(const PathProblem& problem) 
     const Vec3& axis_P = problem.path.points[i].pose.axis_P;
     candidates.push_back(candidates_near_pole(problem, pole, axis_P));
     if (candidates.back().possible[0] || candidates.back().possible[1]) continue;
-    if (solve_rotaries(problem.machine, problem.setup.part_in_machine.linear() * axis_P).empty())
+    if (problem.solver.rotaries(problem.R_MP * axis_P).count == 0)
       return bad_input("pose-unreachable", "CC point " + std::to_string(i) + ": tool axis (" + short_text(axis_P.x()) +
                                                ", " + short_text(axis_P.y()) + ", " + short_text(axis_P.z()) +
                                                ") cannot be reached by " + problem.machine.name +
@@ -99,14 +97,18 @@ Result<std::vector<PointCandidates>> all_candidates(const PathProblem& problem) 
 Rotary2 motion(const Machine& machine, const Rotary2& from, const Rotary2& to) {
   Rotary2 way{};
   for (std::size_t k = 0; k < 2; ++k)
-    way[k] = is_wide(machine.axes[3 + k]) ? wrapped(to[k] - from[k]) : to[k] - from[k];
+    way[k] = is_wide(machine.axes[3 + k]) ? within_half_turn(to[k] - from[k]) : to[k] - from[k];
   return way;
 }
 
 class BranchChoice {
  public:
   BranchChoice(const PathProblem& problem, const std::vector<PointCandidates>& candidates)
-      : problem_(problem), candidates_(candidates), pole_(pole_of(problem)), steps_(candidates.size()) {}
+      : problem_(problem),
+        candidates_(candidates),
+        pole_(pole_of(problem)),
+        pole_P_(problem.R_PM * pole_.direction_M),
+        steps_(candidates.size()) {}
 
   void run() {
     cost_ = {impossible, impossible};
@@ -117,13 +119,15 @@ class BranchChoice {
     }
   }
 
-  [[nodiscard]] std::vector<BranchOption> options() const {
-    std::vector<BranchOption> found;
-    if (!last_) found.push_back(trace(0, 0.0));  // every point stands at the pole
-    for (const std::size_t branch : {std::size_t{0}, std::size_t{1}})
-      if (last_ && cost_[branch] < impossible) found.push_back(trace(branch, cost_[branch]));
-    if (found.size() == 2 && found[1].cost_s < found[0].cost_s) std::swap(found[0], found[1]);
-    return found;
+  /// False: no way at all.
+  [[nodiscard]] bool hand_out(const std::function<bool(BranchOption)>& take) const {
+    if (!last_) return take(trace(0, 0.0)), true;  // every point stands at the pole
+    // Equal up to rounding: the first branch, on every machine and with every compiler.
+    const std::size_t cheaper = cost_[1] < cost_[0] - equal_cost * (1.0 + cost_[0]) || cost_[0] == impossible ? 1 : 0;
+    if (cost_[cheaper] == impossible) return false;
+    if (!take(trace(cheaper, cost_[cheaper])) && cost_[1 - cheaper] < impossible)
+      take(trace(1 - cheaper, cost_[1 - cheaper]));
+    return true;
   }
 
  private:
@@ -150,9 +154,8 @@ class BranchChoice {
     if (before + 1 < i) return true;  // the points between stand at the pole
     const Vec3& a = problem_.path.points[before].pose.axis_P;
     const Vec3& b = problem_.path.points[i].pose.axis_P;
-    const Vec3 pole_P = problem_.setup.part_in_machine.linear().transpose() * pole_.direction_M;
-    const Vec3 a_across = a - a.dot(pole_P) * pole_P, b_across = b - b.dot(pole_P) * pole_P;
-    if (a_across.dot(b_across) >= 0.0 || a.dot(pole_P) * b.dot(pole_P) <= 0.0) return false;
+    const Vec3 a_across = a - a.dot(pole_P_) * pole_P_, b_across = b - b.dot(pole_P_) * pole_P_;
+    if (a_across.dot(b_across) >= 0.0 || a.dot(pole_P_) * b.dot(pole_P_) <= 0.0) return false;
     const Vec3 chord = b_across - a_across;
     return a_across.cross(chord).norm() <= pole_.sine_max * chord.norm();
   }
@@ -257,13 +260,14 @@ class BranchChoice {
       const double near = i > 0                 ? chosen[i - 1].rotary[other]
                           : end < chosen.size() ? chosen[end].rotary[other]
                                                 : chosen[i].rotary[other];
-      chosen[i].rotary[other] = near + wrapped(chosen[i].rotary[other] - near);
+      chosen[i].rotary[other] = near + within_half_turn(chosen[i].rotary[other] - near);
     }
   }
 
   const PathProblem& problem_;
   const std::vector<PointCandidates>& candidates_;
   Pole pole_;
+  Vec3 pole_P_;
   std::vector<Step> steps_;
   std::array<double, 2> cost_{};
   std::optional<std::size_t> last_;
@@ -274,7 +278,7 @@ class BranchChoice {
 std::optional<double> place_in_travel(const Axis& axis, double angle_rad) {
   if (is_wide(axis)) return angle_rad;
   const double middle = 0.5 * (*axis.travel_min + *axis.travel_max);
-  const double place = middle + wrapped(angle_rad - middle);
+  const double place = middle + within_half_turn(angle_rad - middle);
   if (place >= *axis.travel_min && place <= *axis.travel_max) return place;
   return std::nullopt;
 }
@@ -285,13 +289,12 @@ int free_rotary(const Machine& machine) {
   return third < fourth ? 0 : 1;
 }
 
-Result<std::vector<BranchOption>> choose_branches(const PathProblem& problem) {
+Result<void> choose_branches(const PathProblem& problem, const std::function<bool(BranchOption)>& take) {
   const auto candidates = all_candidates(problem);
   if (!candidates) return tl::unexpected(candidates.error());
   BranchChoice choice(problem, *candidates);
   choice.run();
-  std::vector<BranchOption> options = choice.options();
-  if (!options.empty()) return options;
+  if (choice.hand_out(take)) return {};
   return bad_input("axis-out-of-travel", "no branch of " + problem.machine.name +
                                              " can be followed from the first to the last point, not even by changing "
                                              "it off the part; lower the tilt or turn the part");

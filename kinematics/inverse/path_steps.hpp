@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "kinematics/inverse/inverse.hpp"
+#include "kinematics/inverse/pose_solver.hpp"
 
 namespace volute::kinematics {
 
@@ -19,12 +21,22 @@ using Rotary2 = std::array<double, 2>;  ///< positions of axes[3], axes[4]
 struct PathProblem {
   const Machine& machine;
   const Setup& setup;
-  double tool_length_mm;
   const ToolPath& path;
   const AxisPathOptions& options;
+  PoseSolver solver;
+  geometry::Mat3 R_MP = setup.part_in_machine.linear(), R_PM = R_MP.transpose();
+  Vec3 part_in_machine_mm = setup.part_in_machine.translation();
+
+  [[nodiscard]] Vec3 in_machine(const Vec3& point_P_mm) const { return R_MP * point_P_mm + part_in_machine_mm; }
+  [[nodiscard]] Vec3 in_part(const Vec3& point_M_mm) const { return R_PM * (point_M_mm - part_in_machine_mm); }
 };
 
 constexpr double turn_rad = 2.0 * std::numbers::pi;
+
+/// The same angle in [-pi, pi].
+inline double within_half_turn(double angle_rad) {
+  return std::abs(angle_rad) <= std::numbers::pi ? angle_rad : std::remainder(angle_rad, turn_rad);
+}
 
 /// A rotary whose travel holds at least one whole turn: any angle can be shown, and turns are counted. The others are
 /// narrow: an angle has at most one place in their travel.
@@ -60,8 +72,9 @@ struct BranchOption {
 };
 
 /// The ways of least motion that end in either branch, by dynamic programming over both; repositions only where nothing
-/// else is possible. One or two, the cheaper first. Errors: axis-out-of-travel, pose-unreachable.
-geometry::Result<std::vector<BranchOption>> choose_branches(const PathProblem& problem);
+/// else is possible. One or two, the cheaper first, handed to `take` until it is content (true).
+/// Errors: axis-out-of-travel, pose-unreachable.
+geometry::Result<void> choose_branches(const PathProblem& problem, const std::function<bool(BranchOption)>& take);
 
 /// A stretch of the path with its own whole turns added to the rotaries. The first one starts at point 0; each later
 /// one starts with a rewind.
@@ -79,7 +92,7 @@ std::vector<Stretch> choose_turns(const PathProblem& problem, const std::vector<
 std::optional<Rotary2> nearest_rotaries(const PathProblem& problem, const Vec3& axis_P, const Rotary2& near);
 
 /// Puts points between neighbours until what the control interpolates stays within the tolerances.
-AxisPath linearize(const PathProblem& problem, const AxisPath& rough, AxisPathReport& report);
+AxisPath linearize(const PathProblem& problem, AxisPath rough, AxisPathReport& report);
 
 /// Great-circle interpolation of unit vectors; exact at both ends. Requires: not opposite.
 Vec3 slerp(const Vec3& a, const Vec3& b, double t);

@@ -14,8 +14,12 @@ using geometry::short_text;
 namespace {
 
 AxisVector place(const PathProblem& problem, const ToolPose& pose, const Rotary2& rotary) {
-  return solve_linear(problem.machine, problem.tool_length_mm, problem.setup.part_in_machine * pose.tip_P_mm, rotary[0],
-                      rotary[1]);
+  return problem.solver.linear(problem.in_machine(pose.tip_P_mm), rotary[0], rotary[1]);
+}
+
+ToolPose pose_P(const PathProblem& problem, const AxisVector& q) {
+  const ToolPose pose_M = problem.solver.pose_M(q);
+  return {problem.in_part(pose_M.tip_P_mm), problem.R_PM * pose_M.axis_P};
 }
 
 Rotary2 with_turns(const Rotary2& rotary, const std::array<int, 2>& turns) {
@@ -53,7 +57,7 @@ AxisPathPoint over_the_top(const PathProblem& problem, const AxisPathPoint& from
   AxisPathPoint point = inserted(from, MoveKind::rapid, true);
   point.q = q;
   point.q[2] = *problem.machine.axes[2].travel_max;
-  point.pose = tool_pose(problem.machine, problem.setup, problem.tool_length_mm, point.q);
+  point.pose = pose_P(problem, point.q);
   return point;
 }
 
@@ -116,24 +120,45 @@ Result<AxisPath> place_points(const PathProblem& problem, const std::vector<Chos
 }
 
 struct Chosen {
-  const BranchOption* option = nullptr;
+  BranchOption option;
   std::vector<Stretch> stretches;
 };
 
 // Branches of equal motion can differ by a rewind, as they start at different places of a rotary's travel. The cheaper
-// one wins a tie.
-Chosen fewest_rewinds(const PathProblem& problem, const std::vector<BranchOption>& options) {
+// one wins a tie, and is all that is looked at when it needs none.
+Result<Chosen> fewest_rewinds(const PathProblem& problem) {
   Chosen best;
-  for (const BranchOption& option : options) {
+  const auto take = [&](BranchOption option) {
     std::vector<Stretch> stretches = choose_turns(problem, option.points);
-    if (!best.option || stretches.size() < best.stretches.size()) best = {&option, std::move(stretches)};
-  }
+    if (best.stretches.empty() || stretches.size() < best.stretches.size())
+      best = {std::move(option), std::move(stretches)};
+    return best.stretches.size() == 1;
+  };
+  if (auto chosen = choose_branches(problem, take); !chosen) return tl::unexpected(chosen.error());
   return best;
 }
 
 std::string shown(const Axis& axis, double position) {
   return axis.kind == AxisKind::linear ? short_text(position)
                                        : short_text(geometry::Angle::radians(position).degrees());
+}
+
+// How far the part would have to move for a linear axis to stay within its travel. Exact where the axis is not turned
+// by a rotary between it and the part; near enough to try where it is.
+std::string remedy_for_linear(const Axis& axis, int index, const AxisPath& path) {
+  double least = path.points.front().q[index], greatest = least;
+  for (const AxisPathPoint& point : path.points) {
+    least = std::min(least, point.q[index]);
+    greatest = std::max(greatest, point.q[index]);
+  }
+  const std::string needs =
+      "; the path needs " + std::string(1, axis.letter) + " from " + short_text(least) + " to " + short_text(greatest);
+  const double below = axis.travel_min ? *axis.travel_min - least : 0.0,
+               above = axis.travel_max ? greatest - *axis.travel_max : 0.0;
+  if (below > 0.0 && above > 0.0) return needs + ", more than the travel: shorten the path or take a larger machine";
+  const double shift_mm = below > 0.0 ? std::ceil(below) : -std::ceil(above);
+  return needs + ": move the part by about " + short_text(shift_mm) + " mm in " + axis.letter +
+         " (setup.origin_mm) or change the tool's length";
 }
 
 Result<void> check_travel(const PathProblem& problem, const AxisPath& path) {
@@ -149,11 +174,11 @@ Result<void> check_travel(const PathProblem& problem, const AxisPath& path) {
       const std::string unit = axis.kind == AxisKind::linear ? " mm" : " deg";
       const std::string where = point.source >= 0 ? "CC point " + std::to_string(point.source)
                                                   : "after CC point " + std::to_string(last_source);
-      return bad_input(
-          "axis-out-of-travel",
-          where + ": " + axis.letter + " = " + shown(axis, point.q[i]) + unit + " is past [" +
-              shown(axis, *axis.travel_min) + ", " + shown(axis, *axis.travel_max) + "] of " + problem.machine.name +
-              (i < 3 ? "; move the part (setup.origin_mm) or shorten the tool" : "; lower the tilt or turn the part"));
+      return bad_input("axis-out-of-travel",
+                       where + ": " + axis.letter + " = " + shown(axis, point.q[i]) + unit + " is past [" +
+                           shown(axis, *axis.travel_min) + ", " + shown(axis, *axis.travel_max) + "] of " +
+                           problem.machine.name +
+                           (i < 3 ? remedy_for_linear(axis, i, path) : "; lower the tilt or turn the part"));
     }
   }
   return {};
@@ -167,15 +192,14 @@ Result<AxisPathResult> solve_path(const Machine& machine, const Setup& setup, co
                options.rotary_tolerance_rad);
   AxisPathResult result;
   if (path.points.empty()) return result;
-  const PathProblem problem{machine, setup, tool.gauge_length_mm, path, options};
-  const auto options_found = choose_branches(problem);
-  if (!options_found) return tl::unexpected(options_found.error());
-  const Chosen chosen = fewest_rewinds(problem, *options_found);
-  result.report.pole_crossings = chosen.option->pole_crossings;
-  result.report.rewinds = static_cast<int>(chosen.stretches.size()) - 1;
-  const auto rough = place_points(problem, chosen.option->points, chosen.stretches);
+  const PathProblem problem{machine, setup, path, options, PoseSolver(machine, tool.gauge_length_mm)};
+  const auto chosen = fewest_rewinds(problem);
+  if (!chosen) return tl::unexpected(chosen.error());
+  result.report.pole_crossings = chosen->option.pole_crossings;
+  result.report.rewinds = static_cast<int>(chosen->stretches.size()) - 1;
+  auto rough = place_points(problem, chosen->option.points, chosen->stretches);
   if (!rough) return tl::unexpected(rough.error());
-  result.path = linearize(problem, *rough, result.report);
+  result.path = linearize(problem, std::move(*rough), result.report);
   if (auto travel = check_travel(problem, result.path); !travel) return tl::unexpected(travel.error());
   return result;
 }

@@ -175,11 +175,25 @@ TEST(Program, ShortestWayWordsStayWithinOneTurnAndNoStepReachesHalfATurn) {
 
 TEST(Program, ShortestWayWordsAreNeverNegative) {
   kinematics::Profile profile = testing::profile_named("ac-head-siemens");
-  EXPECT_THAT(posted(testing::request_for(testing::short_pass()), profile).text, HasSubstr("C-90.0000"));
+  kinematics::ToolPath path;
+  path.points = {testing::at({0, 0, 50}, 20, 180, kinematics::MoveKind::rapid),
+                 testing::at({0, 0, 40}, 20, 180, kinematics::MoveKind::approach)};
+  EXPECT_THAT(posted(testing::request_for(path), profile).text, HasSubstr("A20.0000 C-90.0000"));
   profile.control.rotary_shortest_way = true;
-  const std::string text = posted(testing::request_for(testing::short_pass()), profile).text;
-  EXPECT_THAT(text, HasSubstr("A-20.0000 C270.0000")) << "A does not roll over";
+  const std::string text = posted(testing::request_for(path), profile).text;
+  EXPECT_THAT(text, HasSubstr("A20.0000 C270.0000"));
   EXPECT_THAT(text, Not(HasSubstr("C-")));
+}
+
+// Of two branches that turn the rotaries equally far the first is taken, whatever rounding says.
+TEST(Program, EqualBranchesAreDecidedTheSameWayEverywhere) {
+  for (const double azimuth_deg : {0.0, 180.0}) {  // C stands half way between its two places
+    kinematics::ToolPath path;
+    for (const double height : {50.0, 40.0})
+      path.points.push_back(testing::at({0, 0, height}, 20, azimuth_deg, kinematics::MoveKind::rapid));
+    const PostResult result = posted(testing::request_for(path), testing::profile_named("ac-head-fanuc"));
+    EXPECT_GT(result.axis_path.points[0].q[3], 0.0) << azimuth_deg;
+  }
 }
 
 TEST(Program, LongTurnsAreSplitForTheShortWay) {

@@ -39,6 +39,19 @@ TEST(CommandedPoses, UnderTcpTheTipIsAsWritten) {
   EXPECT_LT((poses[1].pose.axis_P - head_axis(21, 35)).norm(), 1e-12);
 }
 
+// The rotaries stood at A20 C35 before the vectors: a block without I J K keeps the vector, not those.
+TEST(CommandedPoses, AVectorHoldsWhenItsWordsAreLeftOut) {
+  const auto p = profile("ac-head-fanuc-vector");
+  const auto poses = read(
+      "G21 G90 G17\nT1 M6\nS5000 M3\nG0 A20. C35.\nG43.5 H1\nG0 X0. Y0. Z50. I0.6 J0. K0.8\nG1 X10. Y0. Z3. I0. J0.6 "
+      "K0.8 "
+      "F250.\nX11.\nG49\nM30\n",
+      p, {});
+  ASSERT_EQ(poses.size(), 2u);
+  for (const CommandedPose& pose : poses) EXPECT_LT((pose.pose.axis_P - Vec3(0, 0.6, 0.8)).norm(), 1e-12);
+  EXPECT_LT((poses[1].pose.tip_P_mm - Vec3(11, 0, 3)).norm(), 1e-12);
+}
+
 TEST(ComparePoses, PassesOverWhatWasPutBetween) {
   const kinematics::ToolPose a{Vec3(0, 0, 0), Vec3::UnitZ()}, b{Vec3(1, 0, 0), Vec3::UnitZ()},
       middle{Vec3(0.5, 0, 0), Vec3::UnitZ()};
