@@ -312,6 +312,7 @@ Result<ItemPage> guide_lines(Workshop& shop, const std::string& name) {
   if (!contours) return tl::unexpected(contours.error());
   const auto spiral = coarse_paper_path(*inputs, planner::Strategy::spiral);
   if (!spiral) return tl::unexpected(spiral.error());
+  const MapLines constant = constant_lines(*contours);
   std::vector<view::FigurePanel> panels;
   if (auto added = add_guide_panels(panels, *inputs, *contours, constant, "(a) lines of constant v, eq. 10",
                                     "(b) contour-parallel path");
