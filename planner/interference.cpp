@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fcl/narrowphase/collision.h>
-
 #include "geometry/check.hpp"
 #include "planner/interference_trees.hpp"
 
@@ -45,19 +43,16 @@ fcl::Transform3d placement(const PlacedShape& shape, const ToolPose& pose) {
   return X;
 }
 
-/// Spheres and corners decide what they can; FCL decides the rest.
-bool shape_touches(const PlacedShape& shape, const ToolPose& pose, const SphereTree& tree,
-                   const fcl::BVHModel<fcl::OBBd>& bvh) {
+/// Spheres decide what they can; FCL decides the rest, triangle by triangle. (FCL's own collide() of a Convex and a
+/// BVHModel<OBB> is not to be had: its box round a Convex has extents and axes that do not belong together.)
+bool shape_touches(const PlacedShape& shape, const ToolPose& pose, const SphereTree& tree) {
   if (shape.is_ball) {
     const Vec3 centre = pose.tip_P_mm + shape.centre_z_mm * pose.axis_P;
-    const double far = shape.radius_mm() + distance_rounding_mm;
-    if (tree.point_distance_mm(centre, far) >= far) return false;
-  } else {
-    const SphereTree::Meeting meeting = tree.meeting(cone_round(shape, pose), distance_rounding_mm);
-    if (meeting == SphereTree::Meeting::apart) return false;
-    if (meeting == SphereTree::Meeting::touching && shape.is_cone) return true;
+    return tree.point_distance_mm(centre, shape.radius_mm()) < shape.radius_mm();
   }
-  return fcl_collides(*shape.shape, placement(shape, pose), bvh, fcl::Transform3d::Identity());
+  const fcl::Transform3d X = placement(shape, pose);
+  return tree.any_meets(cone_round(shape, pose), shape.is_cone,
+                        [&](const Vec3& a, const Vec3& b, const Vec3& c) { return meets_triangle(shape, X, a, b, c); });
 }
 
 double shape_slack_mm(const PlacedShape& shape, const ToolPose& pose, const SphereTree& tree, double cap_mm) {
@@ -87,33 +82,9 @@ bool holds(bool closed, const SphereTree& solid, const SphereTree& other, const 
 
 }  // namespace
 
-std::shared_ptr<const fcl::BVHModel<fcl::OBBd>> bvh_of(const geometry::TriangleMesh& mesh) {
-  std::vector<fcl::Vector3d> points(mesh.vertices_mm.begin(), mesh.vertices_mm.end());
-  std::vector<fcl::Triangle> triangles;
-  triangles.reserve(mesh.triangles.size());
-  for (const geometry::Triangle& t : mesh.triangles) {
-    triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
-                           static_cast<std::size_t>(t[2]));
-  }
-  auto model = std::make_shared<fcl::BVHModel<fcl::OBBd>>();
-  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(points.size()));
-  model->addSubModel(points, triangles);
-  model->endModel();
-  return model;
-}
-
-bool fcl_collides(const fcl::CollisionGeometryd& a, const fcl::Transform3d& X_a, const fcl::CollisionGeometryd& b,
-                  const fcl::Transform3d& X_b) {
-  fcl::CollisionRequestd request(1, false);
-  request.gjk_solver_type = fcl::GST_LIBCCD;
-  fcl::CollisionResultd result;
-  fcl::collide(&a, X_a, &b, X_b, request, result);
-  return result.isCollision();
-}
-
 void Interference::Trees::add_body(const geometry::TriangleMesh& mesh, std::string name, bool is_part) {
   if (mesh.triangles.empty()) return;
-  bodies.push_back({std::move(name), is_part, is_closed(mesh), bvh_of(mesh), SphereTree(mesh)});
+  bodies.push_back({std::move(name), is_part, is_closed(mesh), SphereTree(mesh)});
 }
 
 void Interference::Trees::add_scene(const Scene& scene) {
@@ -151,11 +122,11 @@ bool Interference::Trees::touches(const WatchedPair& pair, const Stand& at) cons
   switch (pair.kind) {
     case Kind::piece_body: {
       const SceneBody& body = bodies[pair.b];
-      return shape_touches(pieces[pair.a].shape_for(body), at.pose, body.tree, *body.bvh);
+      return shape_touches(pieces[pair.a].shape_for(body), at.pose, body.tree);
     }
     case Kind::piece_link: {
       const ToolPose pose = seen_from(X_M_link(pair.b, at), setup.part_in_machine, at.pose);
-      return shape_touches(pieces[pair.a].at_others, pose, links[pair.b].tree, *links[pair.b].bvh);
+      return shape_touches(pieces[pair.a].at_others, pose, links[pair.b].tree);
     }
     case Kind::link_body: {
       const LinkBody& link = links[pair.a];

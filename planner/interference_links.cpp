@@ -27,8 +27,7 @@ int link_at_place(const kinematics::Machine& machine, int place) {
 }
 
 LinkBody link_body(const kinematics::Machine& machine, const kinematics::LinkShape& shape) {
-  LinkBody body{place_of_link(machine, shape.link), shape.name,   bvh_of(shape.mesh_M),
-                SphereTree(shape.mesh_M),           Vec3::Zero(), 0.0};
+  LinkBody body{place_of_link(machine, shape.link), shape.name, SphereTree(shape.mesh_M), Vec3::Zero(), 0.0};
   body.centre_mm = 0.5 * (body.tree.least_mm() + body.tree.greatest_mm());
   for (const Vec3& v : shape.mesh_M.vertices_mm) body.radius_mm = std::max(body.radius_mm, (v - body.centre_mm).norm());
   return body;

@@ -7,6 +7,9 @@
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
+#include <fcl/narrowphase/detail/gjk_solver_libccd.h>
+
+#include "geometry/check.hpp"
 
 namespace volute::planner {
 
@@ -16,7 +19,7 @@ using kinematics::ProfilePoint;
 
 namespace {
 
-constexpr int cone_sides = 32;          // circumscribed: 0.48 % outside
+constexpr int cone_sides = 32, cone_sides_max = 360;
 constexpr int corner_sides = 96;        // inscribed or circumscribed: 0.05 %
 constexpr double least_ring_mm = 1e-4;  // a ring of no radius would make faces without area
 
@@ -46,6 +49,13 @@ std::shared_ptr<const fcl::CollisionGeometryd> polyhedron(const std::vector<Prof
 
 double circumscribed(double radius_mm, int sides) { return radius_mm / std::cos(std::numbers::pi / sides); }
 
+/// Grown cones may stand 0.48 % outside; shrunk ones no more than a quarter of the shrinkage inside.
+int sides_of_cone(double radius_mm, double growth_mm) {
+  if (growth_mm >= 0.0) return cone_sides;
+  const double half_side = std::acos(std::max(1.0 + 0.25 * growth_mm / radius_mm, 0.0));
+  return std::clamp(static_cast<int>(std::ceil(std::numbers::pi / half_side)), cone_sides, cone_sides_max);
+}
+
 PlacedShape grown_ball(const ToolPiece& piece, double growth_mm) {
   PlacedShape placed;
   placed.is_ball = true;
@@ -72,20 +82,21 @@ PlacedShape grown_frustum(const ToolPiece& piece, double growth_mm) {
   placed.is_cone = true;
   placed.bottom_radius_mm = bottom;
   placed.top_radius_mm = top;
-  placed.inner_share = slope == 0.0 ? 1.0 : std::cos(std::numbers::pi / cone_sides);
+  const int sides = sides_of_cone(std::max(bottom, top), growth_mm);
+  placed.inner_share = slope == 0.0 ? 1.0 : std::cos(std::numbers::pi / sides);
   if (slope == 0.0) {
     placed.centre_z_mm = 0.5 * (placed.z_min_mm + placed.z_max_mm);
     placed.shape = std::make_shared<const fcl::Cylinderd>(bottom, placed.z_max_mm - placed.z_min_mm);
     return placed;
   }
   const bool grow = growth_mm >= 0.0;
-  const double b = grow ? circumscribed(bottom, cone_sides) : bottom, t = grow ? circumscribed(top, cone_sides) : top;
+  const double b = grow ? circumscribed(bottom, sides) : bottom, t = grow ? circumscribed(top, sides) : top;
   placed.bottom_radius_mm = b;
   placed.top_radius_mm = t;
   // The polyhedron's flats lie inside the cone through its corners, so what is inside this cone is not surely inside
   // the shape.
   placed.is_cone = false;
-  placed.shape = polyhedron({{placed.z_min_mm, b}, {placed.z_max_mm, t}}, cone_sides);
+  placed.shape = polyhedron({{placed.z_min_mm, b}, {placed.z_max_mm, t}}, sides);
   return placed;
 }
 
@@ -168,6 +179,17 @@ PlacedShape placed_shape(const ToolPiece& piece, double growth_mm) {
       break;
   }
   return grown_frustum(piece, growth_mm);
+}
+
+bool meets_triangle(const PlacedShape& shape, const fcl::Transform3d& X, const fcl::Vector3d& a_mm,
+                    const fcl::Vector3d& b_mm, const fcl::Vector3d& c_mm) {
+  VOLUTE_CHECK(!shape.is_ball, shape.radius_mm());
+  const fcl::detail::GJKSolver_libccdd solver;
+  const auto meets = [&](const auto& body) {
+    return solver.shapeTriangleIntersect(body, X, a_mm, b_mm, c_mm, nullptr, nullptr, nullptr);
+  };
+  return shape.shape->getNodeType() == fcl::GEOM_CYLINDER ? meets(static_cast<const fcl::Cylinderd&>(*shape.shape))
+                                                          : meets(static_cast<const fcl::Convexd&>(*shape.shape));
 }
 
 }  // namespace volute::planner

@@ -50,4 +50,8 @@ struct PlacedShape {
 /// the radius when grown, inside by at most a quarter of the shrinkage when shrunk.
 PlacedShape placed_shape(const ToolPiece& piece, double growth_mm);
 
+/// Does the shape, its centre brought to `X`, meet the triangle? FCL's narrow phase (libccd). Requires: not a ball.
+bool meets_triangle(const PlacedShape& shape, const fcl::Transform3d& X, const fcl::Vector3d& a_mm,
+                    const fcl::Vector3d& b_mm, const fcl::Vector3d& c_mm);
+
 }  // namespace volute::planner

@@ -8,8 +8,6 @@
 #include <string>
 #include <vector>
 
-#include <fcl/geometry/bvh/BVH_model.h>
-
 #include "planner/interference.hpp"
 #include "planner/interference_shapes.hpp"
 #include "planner/sphere_tree.hpp"
@@ -23,7 +21,6 @@ constexpr double distance_rounding_mm = 1e-7;
 struct SceneBody {
   std::string name;
   bool is_part = false, closed = false;
-  std::shared_ptr<const fcl::BVHModel<fcl::OBBd>> bvh;
   SphereTree tree;
 };
 
@@ -40,7 +37,6 @@ struct AssemblyPiece {
 struct LinkBody {
   int place = 0;
   std::string name;
-  std::shared_ptr<const fcl::BVHModel<fcl::OBBd>> bvh;
   SphereTree tree;
   Vec3 centre_mm = Vec3::Zero();  ///< of a ball round it, at zero pose
   double radius_mm = 0.0;
@@ -91,11 +87,5 @@ struct Interference::Trees {
     return at.X_M_place[static_cast<std::size_t>(links[link].place)];
   }
 };
-
-/// The FCL model of a mesh.
-std::shared_ptr<const fcl::BVHModel<fcl::OBBd>> bvh_of(const geometry::TriangleMesh& mesh);
-/// Do two FCL geometries meet?
-bool fcl_collides(const fcl::CollisionGeometryd& a, const fcl::Transform3d& X_a, const fcl::CollisionGeometryd& b,
-                  const fcl::Transform3d& X_b);
 
 }  // namespace volute::planner

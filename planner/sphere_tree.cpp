@@ -10,9 +10,10 @@ namespace volute::planner {
 namespace {
 
 constexpr int leaf_triangles = 2;
-// So many triangles that spheres cannot decide are looked at for one that surely touches, before the exact library is
-// asked.
-constexpr int unsure_max = 12;
+// What stands clear by this much is clear.
+constexpr double rounding_mm = 1e-7;
+// Near the cone a triangle is quartered so often: the bound errs by an eighth of its size.
+constexpr int leaf_halvings = 3;
 // Triangles longer than this share of the mesh's box (or this many mm) are cut up.
 constexpr double long_edge_share = 1.0 / 48.0, long_edge_mm = 1.0;
 constexpr int stack_size = 128;  // two entries a level; medians halve, so 64 levels are beyond any index
@@ -64,6 +65,22 @@ double longest_wanted_mm(const geometry::TriangleMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Vec3& v : mesh.vertices_mm) box.extend(v);
   return box.isEmpty() ? long_edge_mm : std::max(long_edge_mm, long_edge_share * box.diagonal().norm());
+}
+
+/// Lowers `best` to a lower bound on the distance of cone and triangle: the ball round it, or those round its quarters.
+void lower_bound_mm(const AxialCone& cone, const Piece& t, int halvings, double& best) {
+  const Vec3 centre = (t.a + t.b + t.c) / 3.0;
+  const double radius =
+      std::sqrt(std::max({(t.a - centre).squaredNorm(), (t.b - centre).squaredNorm(), (t.c - centre).squaredNorm()}));
+  const double to_centre = distance_bound_mm(cone, centre);
+  if (to_centre - radius >= best) return;
+  if (to_centre <= 0.0 || halvings == 0) {
+    best = std::min(best, to_centre - radius);
+    return;
+  }
+  const Vec3 ab = 0.5 * (t.a + t.b), bc = 0.5 * (t.b + t.c), ca = 0.5 * (t.c + t.a);
+  for (const Piece& quarter : {Piece{ab, bc, ca}, Piece{t.a, ab, ca}, Piece{ab, t.b, bc}, Piece{ca, bc, t.c}})
+    lower_bound_mm(cone, quarter, halvings - 1, best);
 }
 
 double to_segment_mm(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -189,8 +206,8 @@ double SphereTree::clearance_mm(const AxialCone& cone, double cap_mm) const {
     if (top.bound >= best) continue;
     const Node& node = nodes_[static_cast<std::size_t>(top.node)];
     for (int k = 0; k < node.count; ++k) {
-      const Ball& ball = balls_[static_cast<std::size_t>(node.first + k)];
-      best = std::min(best, distance_bound_mm(cone, ball.centre_mm) - ball.radius_mm);
+      const Corners& t = corners_[static_cast<std::size_t>(node.first + k)];
+      lower_bound_mm(cone, {t.a, t.b, t.c}, leaf_halvings, best);
     }
     if (node.count > 0) continue;
     const double left = bound(node.first), right = bound(node.first + 1);
@@ -200,32 +217,40 @@ double SphereTree::clearance_mm(const AxialCone& cone, double cap_mm) const {
   return best;
 }
 
-SphereTree::Meeting SphereTree::meeting(const AxialCone& cone, double apart_mm) const {
-  if (nodes_.empty()) return Meeting::apart;
+bool SphereTree::any_meets(const AxialCone& cone, bool cone_is_shape, const TriangleTest& meets) const {
+  if (nodes_.empty()) return false;
   const auto bound = [&](int n) {
     const Node& node = nodes_[static_cast<std::size_t>(n)];
     return distance_bound_mm(cone, node.centre_mm) - node.radius_mm;
   };
-  int unsure = 0;
+  const auto leaf_meets = [&](int k) {
+    const Ball& ball = balls_[static_cast<std::size_t>(k)];
+    const double to_centre = distance_bound_mm(cone, ball.centre_mm);
+    if (to_centre - ball.radius_mm > rounding_mm) return false;
+    if (to_centre <= 0.0 && cone_is_shape) return true;
+    const Corners& t = corners_[static_cast<std::size_t>(k)];
+    const double least =
+        std::min({distance_bound_mm(cone, t.a), distance_bound_mm(cone, t.b), distance_bound_mm(cone, t.c)});
+    if (least <= 0.0 && cone_is_shape) return true;
+    double clear = rounding_mm;
+    if (least > 0.0) lower_bound_mm(cone, {t.a, t.b, t.c}, leaf_halvings, clear);
+    return (least <= 0.0 || clear < rounding_mm) && meets(t.a, t.b, t.c);
+  };
   Stack stack;
   stack.push(0, bound(0));
   while (!stack.empty()) {
     const Entry top = stack.pop();
-    if (top.bound > apart_mm) continue;
+    if (top.bound > rounding_mm) continue;
     const Node& node = nodes_[static_cast<std::size_t>(top.node)];
     for (int k = 0; k < node.count; ++k) {
-      const Ball& ball = balls_[static_cast<std::size_t>(node.first + k)];
-      const double centre = distance_bound_mm(cone, ball.centre_mm);
-      if (centre - ball.radius_mm > apart_mm) continue;
-      if (centre <= 0.0) return Meeting::touching;
-      if (++unsure > unsure_max) return Meeting::unsure;
+      if (leaf_meets(node.first + k)) return true;
     }
     if (node.count > 0) continue;
     const double left = bound(node.first), right = bound(node.first + 1);
     stack.push(left <= right ? node.first + 1 : node.first, std::max(left, right));
     stack.push(left <= right ? node.first : node.first + 1, std::min(left, right));
   }
-  return unsure > 0 ? Meeting::unsure : Meeting::apart;
+  return false;
 }
 
 double SphereTree::point_distance_mm(const Vec3& point_mm, double cap_mm) const {

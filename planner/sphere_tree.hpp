@@ -1,6 +1,7 @@
 // Bounding spheres over the triangles of a mesh: quick lower bounds on distances, before an exact library is asked.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -34,14 +35,14 @@ class SphereTree {
   /// Keeps its own copy of the corners.
   explicit SphereTree(const geometry::TriangleMesh& mesh);
 
-  /// A lower bound on the distance between the cone and the mesh, at most `cap_mm`; below the truth by at most the size
-  /// of a triangle. An empty mesh: cap_mm.
+  /// A lower bound on the distance between the cone and the mesh, at most `cap_mm`; below the truth by at most an
+  /// eighth of the size of a triangle. An empty mesh: cap_mm.
   [[nodiscard]] double clearance_mm(const AxialCone& cone, double cap_mm) const;
 
-  /// What spheres and corners tell of the cone and the mesh: surely apart by more than `apart_mm`, surely touching (a
-  /// corner of the mesh is inside), or neither.
-  enum class Meeting { apart, touching, unsure };
-  [[nodiscard]] Meeting meeting(const AxialCone& cone, double apart_mm) const;
+  /// Does any triangle meet a shape that lies within the cone? Triangles that stand clear of the cone do not; where the
+  /// cone is the shape itself a triangle with a corner or its middle inside does; `meets` is asked of the others.
+  using TriangleTest = std::function<bool(const Vec3& a_mm, const Vec3& b_mm, const Vec3& c_mm)>;
+  [[nodiscard]] bool any_meets(const AxialCone& cone, bool cone_is_shape, const TriangleTest& meets) const;
 
   /// The distance between this mesh and another that stands at `X_this_other`, at most `cap_mm`; 0 where they cross.
   /// Exact up to rounding: FCL's distance of two triangles at the leaves. Either mesh empty: cap_mm.

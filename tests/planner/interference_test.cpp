@@ -2,6 +2,8 @@
 
 #include <random>
 
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/narrowphase/collision.h>
 #include <gtest/gtest.h>
 
 #include "planner/contact.hpp"
@@ -91,6 +93,63 @@ TEST(Interference, ClearanceBoundsMotion) {
     }
   }
   EXPECT_GT(tried, 30);
+}
+
+/// Plain FCL: every shape against the whole mesh, through a bounding volume whose fit to a Convex is sound.
+bool plain_fcl_is_free(const Scene& scene, const kinematics::Tool& tool, const ToolPose& pose) {
+  const auto model_of = [](const geometry::TriangleMesh& mesh) {
+    std::vector<fcl::Vector3d> points(mesh.vertices_mm.begin(), mesh.vertices_mm.end());
+    std::vector<fcl::Triangle> triangles;
+    for (const auto& t : mesh.triangles) {
+      triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
+                             static_cast<std::size_t>(t[2]));
+    }
+    auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+    model->beginModel();
+    model->addSubModel(points, triangles);
+    model->endModel();
+    return model;
+  };
+  static const auto part = model_of(scene.part), post = model_of(scene.obstacles.front());
+  for (const ToolPiece& piece : tool_pieces(tool)) {
+    const double at_part = piece.part == "cutter" ? -scene.gouge_tolerance_mm : scene.clearance_mm;
+    for (const auto& [growth, model] : {std::pair(at_part, part), std::pair(scene.clearance_mm, post)}) {
+      const PlacedShape shape = placed_shape(piece, growth);
+      fcl::Transform3d X = fcl::Transform3d::Identity();
+      X.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), pose.axis_P).toRotationMatrix();
+      X.translation() = pose.tip_P_mm + shape.centre_z_mm * pose.axis_P;
+      fcl::CollisionRequestd request;
+      fcl::CollisionResultd result;
+      if (fcl::collide(shape.shape.get(), X, model.get(), fcl::Transform3d::Identity(), request, result) > 0)
+        return false;
+    }
+  }
+  return true;
+}
+
+TEST(Interference, AgreesWithPlainFclOnTaperedHolders) {
+  Scene scene;
+  scene.part =
+      testing::sheet(-40, 40, -40, 40, 1.5, [](double x, double y) { return 3.0 * std::sin(0.1 * x + 0.07 * y); });
+  scene.obstacles = {testing::box(Vec3(10, -15, -5), Vec3(18, 15, 45))};
+  kinematics::Tool tool = testing::ball_tool();
+  tool.cutter = {kinematics::CutterShape::taper_ball, 2.0, 2.0, geometry::Angle::degrees(4.0), 20.0, 2};
+  tool.holder = {{6.0, 14.0, 40.0, 25.0}, {14.0, 10.0, 65.0, 20.0}};
+  const Interference check(scene, tool, nullptr, nullptr);
+  const unsigned seed = 41;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  int free = 0, blocked = 0;
+  for (int n = 0; n < 1500; ++n) {
+    const double x = 35 * any(random), y = 35 * any(random);
+    const ToolPose pose{Vec3(x, y, 3.0 * std::sin(0.1 * x + 0.07 * y) + 1.0 + 2.0 * any(random)),
+                        Vec3(any(random), any(random), 1.2 + any(random)).normalized()};
+    const bool expected = plain_fcl_is_free(scene, tool, pose);
+    (expected ? free : blocked)++;
+    ASSERT_EQ(check.is_free(pose), expected) << "seed " << seed << " case " << n;
+  }
+  EXPECT_GT(free, 200);
+  EXPECT_GT(blocked, 200);
 }
 
 TEST(PlacedShape, GrownShapesHoldTheTrueOnesAndShrunkOnesAreInside) {
