@@ -1,15 +1,12 @@
 #include "planner/orientation/corridor.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <numbers>
 
-#include <tbb/parallel_for.h>
-
-#include "planner/orientation/bounded_smooth.hpp"
+#include "planner/orientation/corridor_smoother.hpp"
+#include "planner/orientation/exhaustive.hpp"
 #include "planner/orientation/lattice.hpp"
-#include "planner/orientation/pin_loop.hpp"
+#include "planner/orientation/motion.hpp"
 
 namespace volute::planner {
 
@@ -17,99 +14,69 @@ using geometry::Angle;
 
 namespace {
 
-constexpr double layer_step_mm = 2.0;
-constexpr int layers_least = 12;
-constexpr Angle lattice_step = Angle::degrees(7.5);
-constexpr int refinements = 2;
-constexpr int chain_rounds_max = 200;
-// Layers opened to both sides of one that touches: the way round an obstacle begins before it.
-constexpr int open_beside = 6;
+/// Of the lattice: in the rotaries, and in layers every so many coefficients of the spline. Wide layers spread a turn
+/// over a long way, since a step costs the same wherever it is made; narrow ones get through narrow places.
+struct Resolution {
+  Angle step;
+  int stride;
+};
+constexpr std::array<Resolution, 4> resolutions = {
+    Resolution{Angle::degrees(7.5), 4}, Resolution{Angle::degrees(7.5), 1}, Resolution{Angle::degrees(3.75), 1},
+    Resolution{Angle::degrees(1.875), 1}};
+constexpr int chain_rounds_max = 100;
+// Coefficients whose layers are opened to both sides of one that touches: the way round an obstacle begins before it.
+constexpr int open_beside = 12;
 // After so many rounds a node that does not hold is given up with those beside it.
 constexpr int narrow_rounds = 4;
 
-constexpr int recentrings = 3;
-constexpr int tightenings_max = 60;
-constexpr double smoothing_length_mm = 12.0;
-constexpr double free_width_rad = 0.5 * std::numbers::pi;  // of the bounds before they draw back
-constexpr double least_width_rad = 1e-6;
-constexpr double drawn_back_share = 0.9;
-constexpr int share_bisections = 5;
+constexpr int recentrings = 2, tightenings_max = 40;
+constexpr int lowerings_max = 8, lowering_tightenings_max = 12;
+// Another round is made while some peak still falls by this share.
+constexpr double worthwhile_share = 0.05;
+// Peaks are limited to this share of what they were: what the solver may miss must not show.
+constexpr double limit_share = 1.0 - 1e-5;
+constexpr double peak_price = 0.25;
+constexpr double same_share = 1e-9, same_rad = 1e-9;
+// A rotary whose acceleration stays below this, rad/mm^2, is straight up to rounding: there is nothing to lower.
+constexpr double straight_rad_mm2 = 1e-9;
 
-using Coefficients = std::array<std::vector<double>, 2>;
+bool any(const std::vector<char>& marks) { return std::find(marks.begin(), marks.end(), 1) != marks.end(); }
 
 class Corridor {
  public:
   Corridor(const AllowedSet& allowed, const std::vector<Vec3>& preferred)
-      : allowed_(allowed),
-        check_(allowed),
-        preferred_(preferred),
-        grid_(allowed.stations().back().s_mm, std::min(layer_step_mm, allowed.stations().back().s_mm / layers_least)) {
-    for (const Station& station : allowed.stations()) weights_.push_back(grid_.at(station.s_mm));
-    for (int j = 0; j < grid_.coefficients(); ++j) points_.push_back(nearest_station(grid_.place_mm(j)));
-  }
+      : allowed_(allowed), preferred_(preferred), smoother_(allowed) {}
 
   CorridorResult run();
 
  private:
-  [[nodiscard]] int nearest_station(double s_mm) const;
-  [[nodiscard]] std::vector<Rotaries> stations_of(const Coefficients& c) const;
-  [[nodiscard]] Rotaries station_of(const Coefficients& c, std::size_t i) const;
-  bool find_chain(Angle step);
-  void widen(const std::vector<char>& bad, const LatticeChain::Chain& chain, int round, LatticeChain& lattice) const;
-  void smooth();
-  bool tighten_until_allowed(const Coefficients& base, Coefficients& lower, Coefficients& upper, Coefficients& found);
-  [[nodiscard]] double allowed_share(std::size_t i, const Rotaries& base, const Rotaries& wanted) const;
-  void draw_back(const std::vector<char>& bad, const Coefficients& base, const Coefficients& found, Coefficients& lower,
-                 Coefficients& upper) const;
+  bool find_chain(const Resolution& resolution);
+  void widen(const std::vector<char>& bad, const LatticeChain::Chain& chain, const Resolution& resolution, int round,
+             LatticeChain& lattice) const;
+  [[nodiscard]] Coefficients coefficients_of(const std::vector<Rotaries>& nodes, int stride) const;
 
   const AllowedSet& allowed_;
-  PathCheck check_;
   const std::vector<Vec3>& preferred_;
-  SplineGrid grid_;
-  std::vector<SplineGrid::Weights> weights_;
-  std::vector<int> points_;
+  CorridorSmoother smoother_;
   Coefficients coefficients_;
   CorridorResult result_;
 };
 
-int Corridor::nearest_station(double s_mm) const {
-  const auto stations = allowed_.stations();
-  const auto after =
-      std::lower_bound(stations.begin(), stations.end(), s_mm, [](const Station& a, double s) { return a.s_mm < s; });
-  auto place = std::min(after - stations.begin(), std::ssize(stations) - 1);
-  if (place > 0 &&
-      s_mm - stations[static_cast<std::size_t>(place - 1)].s_mm < stations[static_cast<std::size_t>(place)].s_mm - s_mm)
-    --place;
-  return static_cast<int>(place);
-}
-
-Rotaries Corridor::station_of(const Coefficients& c, std::size_t i) const {
-  Rotaries at{};
-  for (std::size_t k = 0; k < 2; ++k) {
-    for (std::size_t j = 0; j < 4; ++j)
-      at[k] += weights_[i].weight[j] * c[k][static_cast<std::size_t>(weights_[i].first) + j];
-  }
-  return at;
-}
-
-std::vector<Rotaries> Corridor::stations_of(const Coefficients& c) const {
-  std::vector<Rotaries> at(weights_.size());
-  tbb::parallel_for(std::size_t{0}, at.size(), [&](std::size_t i) { at[i] = station_of(c, i); });
-  return at;
-}
-
 /// Opens the layers round what touches; where they are open already, the nodes that the chain used there are given up.
-void Corridor::widen(const std::vector<char>& bad, const LatticeChain::Chain& chain, int round,
-                     LatticeChain& lattice) const {
-  std::vector<char> wanted(points_.size(), 0), used(points_.size(), 0);
+void Corridor::widen(const std::vector<char>& bad, const LatticeChain::Chain& chain, const Resolution& resolution,
+                     int round, LatticeChain& lattice) const {
+  const int layers = static_cast<int>(chain.nodes.size());
+  const int beside = std::max(1, open_beside / resolution.stride);
+  std::vector<char> wanted(chain.nodes.size(), 0), used(wanted);
   for (std::size_t i = 0; i < bad.size(); ++i) {
     if (bad[i] == 0) continue;
-    const int first = weights_[i].first;
-    for (int j = std::max(first - open_beside, 0);
-         j <= std::min(first + 3 + open_beside, static_cast<int>(points_.size()) - 1); ++j) {
+    const int first = smoother_.weights()[i].first / resolution.stride;
+    const int last =
+        std::min((smoother_.weights()[i].first + 3 + resolution.stride - 1) / resolution.stride, layers - 1);
+    for (int j = std::max(first - beside, 0); j <= std::min(last + beside, layers - 1); ++j) {
       if (!lattice.is_open(j)) wanted[static_cast<std::size_t>(j)] = 1;
     }
-    for (int j = first; j < first + 4; ++j) {
+    for (int j = first; j <= last; ++j) {
       if (lattice.is_open(j)) used[static_cast<std::size_t>(j)] = 1;
     }
   }
@@ -121,121 +88,151 @@ void Corridor::widen(const std::vector<char>& bad, const LatticeChain::Chain& ch
   lattice.open(opened);
 }
 
-bool Corridor::find_chain(Angle step) {
-  const RotaryLattice lattice(allowed_.chart(), step);
-  LatticeChain layers(allowed_, lattice, points_, preferred_);
+/// Every stride-th coefficient is a node of the chain, those between lie on lines.
+Coefficients Corridor::coefficients_of(const std::vector<Rotaries>& nodes, int stride) const {
+  Coefficients c;
+  for (std::size_t k = 0; k < 2; ++k) {
+    for (int j = 0; j < smoother_.grid().coefficients(); ++j) {
+      const auto before = static_cast<std::size_t>(j / stride), after = std::min(before + 1, nodes.size() - 1);
+      const double t = static_cast<double>(j % stride) / stride;
+      c[k].push_back((1.0 - t) * nodes[before][k] + t * nodes[after][k]);
+    }
+  }
+  return c;
+}
+
+bool Corridor::find_chain(const Resolution& resolution) {
+  const RotaryLattice lattice(allowed_.chart(), resolution.step);
+  std::vector<int> points;
+  const int last = smoother_.grid().coefficients() - 1;
+  for (int j = 0; j < last + resolution.stride; j += resolution.stride)
+    points.push_back(smoother_.points()[static_cast<std::size_t>(std::min(j, last))]);
+  LatticeChain layers(allowed_, lattice, points, preferred_);
   for (int round = 0; round < chain_rounds_max; ++round) {
     ++result_.iterations;
     const LatticeChain::Chain chain = layers.cheapest();
     if (chain.stuck >= 0) {
-      const int point = points_[static_cast<std::size_t>(chain.stuck)];
-      result_.stuck = {point};
+      result_.stuck = points[static_cast<std::size_t>(chain.stuck)];
       return false;
     }
-    const std::vector<Rotaries> nodes = layers.unwrapped(chain);
-    for (std::size_t k = 0; k < 2; ++k) {
-      coefficients_[k].clear();
-      for (const Rotaries& node : nodes) coefficients_[k].push_back(node[k]);
-    }
-    const std::vector<char> bad = check_.touching(stations_of(coefficients_));
-    if (std::find(bad.begin(), bad.end(), 1) == bad.end()) {
-      result_.layers = static_cast<int>(points_.size());
+    coefficients_ = coefficients_of(layers.unwrapped(chain), resolution.stride);
+    const std::vector<char> bad = smoother_.touching(coefficients_);
+    if (!any(bad)) {
+      result_.layers = static_cast<int>(points.size());
       for (int j = 0; j < result_.layers; ++j) result_.layers_opened += layers.is_open(j) ? 1 : 0;
-      result_.stuck.clear();
+      result_.stuck = -1;
       return true;
     }
-    widen(bad, chain, round, layers);
+    widen(bad, chain, resolution, round, layers);
   }
   return false;
-}
-
-/// How far from base towards wanted station i may go, by halving; 0 when not at all.
-double Corridor::allowed_share(std::size_t i, const Rotaries& base, const Rotaries& wanted) const {
-  double good = 0.0, bad = 1.0;
-  for (int k = 0; k < share_bisections; ++k) {
-    const double t = 0.5 * (good + bad);
-    const Rotaries at = {base[0] + t * (wanted[0] - base[0]), base[1] + t * (wanted[1] - base[1])};
-    (allowed_.blocked(static_cast<int>(i), at) == Blocked::no ? good : bad) = t;
-  }
-  return good;
-}
-
-void Corridor::draw_back(const std::vector<char>& bad, const Coefficients& base, const Coefficients& found,
-                         Coefficients& lower, Coefficients& upper) const {
-  std::vector<double> station_share(bad.size(), 1.0), share(points_.size(), 1.0);
-  tbb::parallel_for(std::size_t{0}, bad.size(), [&](std::size_t i) {
-    if (bad[i] != 0) station_share[i] = drawn_back_share * allowed_share(i, station_of(base, i), station_of(found, i));
-  });
-  for (std::size_t i = 0; i < bad.size(); ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      double& s = share[static_cast<std::size_t>(weights_[i].first) + j];
-      s = std::min(s, station_share[i]);
-    }
-  }
-  for (std::size_t k = 0; k < 2; ++k) {
-    for (std::size_t j = 0; j < share.size(); ++j) {
-      if (share[j] >= 1.0) continue;
-      const double to = base[k][j] + share[j] * (found[k][j] - base[k][j]);
-      if (to >= base[k][j]) upper[k][j] = std::min(upper[k][j], std::max(to, base[k][j] + least_width_rad));
-      if (to <= base[k][j]) lower[k][j] = std::max(lower[k][j], std::min(to, base[k][j] - least_width_rad));
-    }
-  }
-}
-
-bool Corridor::tighten_until_allowed(const Coefficients& base, Coefficients& lower, Coefficients& upper,
-                                     Coefficients& found) {
-  const SmoothnessWeights weights{grid_.step_mm(), smoothing_length_mm, 0.0};
-  for (int round = 0; round < tightenings_max; ++round) {
-    ++result_.iterations;
-    const auto start = std::chrono::steady_clock::now();
-    for (std::size_t k = 0; k < 2; ++k) found[k] = smoothest_within(lower[k], upper[k], base[k], {}, weights);
-    result_.solve_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const std::vector<char> bad = check_.touching(stations_of(found));
-    if (std::find(bad.begin(), bad.end(), 1) == bad.end()) return true;
-    draw_back(bad, base, found, lower, upper);
-  }
-  return false;
-}
-
-void Corridor::smooth() {
-  for (int round = 0; round < recentrings; ++round) {
-    const Coefficients base = coefficients_;
-    Coefficients lower, upper, found;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const bool endless = allowed_.chart().is_endless(static_cast<int>(k));
-      const kinematics::Axis& axis = allowed_.chart().axis(static_cast<int>(k));
-      for (const double c : base[k]) {
-        lower[k].push_back(endless ? c - free_width_rad
-                                   : std::min(std::max(c - free_width_rad, *axis.travel_min), c - least_width_rad));
-        upper[k].push_back(endless ? c + free_width_rad
-                                   : std::max(std::min(c + free_width_rad, *axis.travel_max), c + least_width_rad));
-      }
-    }
-    // The curve before stays when the bounds did not settle: it is allowed.
-    if (tighten_until_allowed(base, lower, upper, found)) coefficients_ = found;
-  }
 }
 
 CorridorResult Corridor::run() {
-  Angle step = lattice_step;
-  bool found = find_chain(step);
-  for (int k = 0; !found && k < refinements; ++k) {
-    if (!result_.stuck.empty() &&
-        !allowed_.nearest(result_.stuck.front(), preferred_[static_cast<std::size_t>(result_.stuck.front())],
-                          Angle())) {
-      result_.stuck_empty = true;
-      return result_;
-    }
-    step = 0.5 * step;
-    found = find_chain(step);
+  bool found = false;
+  for (std::size_t k = 0; !found && k < resolutions.size(); ++k) {
+    if (k == 1) result_.empty = stations_without_orientation(allowed_, preferred_);
+    if (!result_.empty.empty()) return result_;
+    found = find_chain(resolutions[k]);
   }
   if (!found) return result_;
-  smooth();
-  result_.at = stations_of(coefficients_);
+  for (int round = 0; round < recentrings; ++round) {
+    // The curve before stays when the bounds did not settle: it is allowed.
+    auto smoother = smoother_.smoothed(coefficients_, {}, tightenings_max);
+    if (smoother) coefficients_ = std::move(*smoother);
+  }
+  result_.iterations += smoother_.iterations();
+  result_.solve_s = smoother_.solve_s();
+  result_.at = smoother_.stations_of(coefficients_);
   return result_;
 }
 
+bool is_straight(const AxisMotionPeaks& peaks) { return peaks.acceleration_max < straight_rad_mm2; }
+
+std::array<std::optional<PeakLimits>, 2> limits_of(const RotaryPeaks& peaks) {
+  std::array<std::optional<PeakLimits>, 2> limits;
+  for (std::size_t k = 0; k < 2; ++k) {
+    limits[k] = PeakLimits{
+        {limit_share * peaks[k].velocity_max, limit_share * peaks[k].acceleration_max, limit_share * peaks[k].jerk_max},
+        peak_price};
+  }
+  return limits;
+}
+
+std::array<double, 6> six(const RotaryPeaks& peaks) {
+  return {peaks[0].velocity_max, peaks[0].acceleration_max, peaks[0].jerk_max,
+          peaks[1].velocity_max, peaks[1].acceleration_max, peaks[1].jerk_max};
+}
+
+bool falls_on(const RotaryPeaks& before, const RotaryPeaks& after) {
+  const std::array<double, 6> a = six(before), b = six(after);
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (b[k] < (1.0 - worthwhile_share) * a[k]) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+std::optional<std::vector<Rotaries>> standing_still(const AllowedSet& allowed, const std::vector<Rotaries>& at) {
+  const auto stations = allowed.stations();
+  Rotaries mean{};
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+    const double share = 0.5 * (stations[i + 1].s_mm - stations[i].s_mm) / stations.back().s_mm;
+    for (std::size_t k = 0; k < 2; ++k) mean[k] += share * (at[i][k] + at[i + 1][k]);
+  }
+  std::vector<Rotaries> still(at.size(), mean);
+  if (any(check_path(allowed, still, true)) || any(check_path(allowed, still, false))) return std::nullopt;
+  return still;
+}
+
+RotaryPeaks peaks_per_mm(const AllowedSet& allowed, const std::vector<Rotaries>& at) {
+  std::vector<double> s, values;
+  for (const Station& station : allowed.stations()) s.push_back(station.s_mm);
+  RotaryPeaks peaks;
+  for (std::size_t k = 0; k < 2; ++k) {
+    values.clear();
+    for (const Rotaries& r : at) values.push_back(r[k]);
+    peaks[k] = motion_peaks(s, values, 1.0);
+  }
+  return peaks;
+}
+
+bool no_peak_above(const RotaryPeaks& a, const RotaryPeaks& b) {
+  const std::array<double, 6> x = six(a), y = six(b);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    if (x[k] > y[k] * (1.0 + same_share) + same_rad) return false;
+  }
+  return true;
+}
+
+CorridorResult lower_peaks(const AllowedSet& allowed, const std::vector<Rotaries>& at,
+                           const std::vector<HeldStation>& held) {
+  CorridorResult result;
+  result.at = at;
+  if (auto still = held.empty() ? standing_still(allowed, at) : std::nullopt) {
+    result.at = std::move(*still);
+    return result;
+  }
+  const RotaryPeaks limits = peaks_per_mm(allowed, at);
+  if (is_straight(limits[0]) || is_straight(limits[1])) return result;
+  CorridorSmoother smoother(allowed);
+  std::optional<Coefficients> curve = smoother.following(at);
+  RotaryPeaks before = limits;
+  for (int round = 0; curve && round < lowerings_max; ++round) {
+    curve = smoother.smoothed(*curve, {limits_of(limits), held}, lowering_tightenings_max);
+    if (!curve) break;
+    std::vector<Rotaries> lowered = smoother.stations_of(*curve);
+    const RotaryPeaks peaks = peaks_per_mm(allowed, lowered);
+    if (!no_peak_above(peaks, limits)) break;
+    result.at = std::move(lowered);
+    if (!falls_on(before, peaks)) break;
+    before = peaks;
+  }
+  result.iterations = smoother.iterations();
+  result.solve_s = smoother.solve_s();
+  return result;
+}
 
 CorridorResult run_corridor(const AllowedSet& allowed, const std::vector<Vec3>& preferred) {
   return Corridor(allowed, preferred).run();

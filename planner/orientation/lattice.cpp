@@ -88,7 +88,8 @@ void LatticeChain::open(const std::vector<int>& layers) {
     if (open_[layer] != 0) return;
     open_[layer] = 1;
     const std::vector<int> before = nodes_[layer];
-    std::erase_if(nodes_[layer], [&](int node) { return !allowed_.is_free(points_[layer], lattice_.axis_P(node)); });
+    std::erase_if(nodes_[layer],
+                  [&](int node) { return allowed_.blocked(points_[layer], lattice_.at(node)) != Blocked::no; });
     mark_edges(layer, before);
   });
 }

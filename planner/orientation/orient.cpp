@@ -12,6 +12,7 @@
 #include "planner/orientation/corridor.hpp"
 #include "planner/orientation/field_loop.hpp"
 #include "planner/orientation/motion.hpp"
+#include "planner/orientation/neighbours.hpp"
 #include "planner/orientation/pin_loop.hpp"
 #include "planner/orientation/reference.hpp"
 
@@ -27,8 +28,6 @@ namespace {
 constexpr double feed_window_mm = 1.0;
 // Paths without turns: the reference axis is averaged over this length.
 constexpr double reference_window_mm = 20.0;
-// Neighbouring passes are looked for within this distance.
-constexpr double neighbour_reach_mm = 5.0;
 
 std::string smoothing_name(Smoothing smoothing) {
   switch (smoothing) {
@@ -205,46 +204,132 @@ Result<OrientedPath> orient_traditionally(Orienting& work, const AllowedSet& all
 
 tl::unexpected<geometry::Error> no_chain(const Orienting& work, const AllowedSet& allowed,
                                          const CorridorResult& corridor, const std::vector<Vec3>& wanted) {
-  if (corridor.stuck_empty) return no_orientation(work, allowed, corridor.stuck, wanted);
-  const std::string where =
-      corridor.stuck.empty() ? "some CC points" : "CC point " + point_name(work, corridor.stuck.front());
-  return bad_input(
-      "orientation-none",
-      where +
-          ": no allowed tool orientation can be reached from those before it (searched 2 degrees apart); use a "
-          "longer or slimmer tool, a smaller clearance, wider tilt limits, or move the obstacle");
+  if (!corridor.empty.empty()) return no_orientation(work, allowed, corridor.empty, wanted);
+  const std::string where = corridor.stuck < 0 ? "some CC points" : "CC point " + point_name(work, corridor.stuck);
+  return bad_input("orientation-unreached",
+                   where +
+                       ": allowed tool orientations exist at every CC point, but no motion from one to the next was "
+                       "found with the rotary axes 1.9 degrees apart; use a longer or slimmer tool, a smaller "
+                       "clearance, wider tilt limits, or move the obstacle");
+}
+
+std::string why(const AllowedSet& allowed, int i, const Vec3& axis_P) {
+  switch (allowed.blocked(i, axis_P)) {
+    case Blocked::travel:
+      return "the rotary axes cannot reach it";
+    case Blocked::tilt:
+      return "its tilt from the surface normal is outside the limits";
+    case Blocked::width:
+      return "the cut would be narrower than the path was planned for";
+    default:
+      return "something touches there";
+  }
+}
+
+/// The first key that is not allowed where it stands.
+std::optional<geometry::Error> refused_key(const Orienting& work, const AllowedSet& allowed,
+                                           const std::vector<FixedPin>& fixed) {
+  for (const FixedPin& pin : fixed) {
+    if (allowed.blocked(pin.index, pin.axis_P) == Blocked::no) continue;
+    const auto text = [&](Eigen::Index k) { return short_text(pin.axis_P[k], 4); };
+    return bad_input("orientation-key-blocked", "orientation.keys: axis [" + text(0) + ", " + text(1) + ", " + text(2) +
+                                                    "] at CC point " + point_name(work, pin.index) +
+                                                    " is not allowed: " + why(allowed, pin.index, pin.axis_P) +
+                                                    "; choose another axis there, or another place")
+        .value();
+  }
+  return std::nullopt;
+}
+
+struct PinnedPath {
+  PinLoopResult loop;
+  std::vector<FixedPin> fixed;
+  std::optional<CorridorResult> corridor;  ///< where something stands in the way of the reference
+};
+
+/// The pins come from a calm row of allowed axes: the reference where nothing is in its way, else the corridor's curve.
+Result<PinnedPath> pinned(const Orienting& work, const AllowedSet& allowed, const OrientationOptions& options) {
+  std::vector<Vec3> axes = reference_axes(allowed, reference_window_mm);
+  const std::vector<char> blocked = blocked_marks(allowed, axes);
+  PinnedPath path;
+  path.fixed = user_pins(work);
+  if (auto error = refused_key(work, allowed, path.fixed)) return tl::unexpected(*error);
+  // Keys of the user are the critical points then; the loop adds what they leave touching.
+  const std::vector<int> critical =
+      path.fixed.empty() ? critical_points(work.points(), blocked_areas(blocked)) : std::vector<int>{};
+  if (count(blocked) > 0) {
+    path.corridor = run_corridor(allowed, axes);
+    if (path.corridor->at.empty()) return no_chain(work, allowed, *path.corridor, axes);
+    for (std::size_t i = 0; i < axes.size(); ++i) axes[i] = work.chart.axis_P(path.corridor->at[i]);
+  }
+  path.loop = run_pin_loop(allowed, axes, std::vector<char>(axes.size(), 0), critical, path.fixed, options);
+  return path;
+}
+
+Result<OrientedPath> orient_by_pins(Orienting& work, const AllowedSet& allowed) {
+  const auto path = pinned(work, allowed, work.options);
+  if (!path) return tl::unexpected(path.error());
+  work.report.iterations = path->loop.iterations;
+  work.report.solve_s = path->loop.solve_s;
+  if (!path->loop.free) {
+    return bad_input(
+        "orientation-not-converged",
+        "after " + std::to_string(path->loop.iterations) +
+            " rounds of pinning some CC points still touch; use smoothing = \"corridor\", or raise iterations_max");
+  }
+  return finished(work, allowed, path->loop.at, path->loop.pins);
+}
+
+/// At the pole a key holds one rotary and leaves the other free.
+std::vector<HeldStation> held_by(const Orienting& work, const PinnedPath& path) {
+  std::vector<HeldStation> held;
+  for (const FixedPin& pin : path.fixed) {
+    held.push_back({pin.index, path.loop.at[static_cast<std::size_t>(pin.index)], {true, true}});
+    for (const RotaryChoice& choice : work.chart.choices(pin.axis_P)) {
+      if (choice.free_axis >= 0) held.back().rotary[static_cast<std::size_t>(choice.free_axis)] = false;
+    }
+  }
+  return held;
+}
+
+/// Of the curve in the corridor and the pinned curve lowered the one with the lower peaks; never above the pinned one.
+CorridorResult lowest_curve(const AllowedSet& allowed, const PinnedPath& path, const std::vector<HeldStation>& held) {
+  if (path.corridor && held.empty()) {
+    CorridorResult result = *path.corridor;
+    // The corridor's own work is counted once, by the caller.
+    result.iterations = 0, result.solve_s = 0.0;
+    if (auto still = standing_still(allowed, result.at)) {
+      result.at = std::move(*still);
+      return result;
+    }
+    if (!path.loop.free || no_peak_above(peaks_per_mm(allowed, result.at), peaks_per_mm(allowed, path.loop.at)))
+      return result;
+  }
+  return lower_peaks(allowed, path.loop.at, held);
 }
 
 Result<OrientedPath> orient_in_corridor(Orienting& work, const AllowedSet& allowed) {
-  const std::vector<Vec3> reference = reference_axes(allowed, reference_window_mm);
-  CorridorResult corridor = run_corridor(allowed, reference);
-  if (corridor.at.empty()) return no_chain(work, allowed, corridor, reference);
-  work.report.iterations = corridor.iterations;
-  work.report.solve_s = corridor.solve_s;
-  return finished(work, allowed, corridor.at, {});
-}
-
-/// The pins come from a calm row of allowed axes: the reference where nothing is in its way, else the corridor's curve.
-Result<OrientedPath> orient_by_pins(Orienting& work, const AllowedSet& allowed) {
-  std::vector<Vec3> axes = reference_axes(allowed, reference_window_mm);
-  const std::vector<char> blocked = blocked_marks(allowed, axes);
-  const std::vector<int> critical = critical_points(work.points(), blocked_areas(blocked));
-  if (count(blocked) > 0) {
-    const CorridorResult corridor = run_corridor(allowed, axes);
-    if (corridor.at.empty()) return no_chain(work, allowed, corridor, axes);
-    for (std::size_t i = 0; i < axes.size(); ++i) axes[i] = work.chart.axis_P(corridor.at[i]);
+  OrientationOptions options = work.options;
+  options.smoothing = Smoothing::acceleration;
+  auto path = pinned(work, allowed, options);
+  if (!path) return tl::unexpected(path.error());
+  const std::vector<HeldStation> held = held_by(work, *path);
+  if (!path->loop.free && !held.empty())
+    return bad_input("orientation-not-converged",
+                     "no curve through the " + std::to_string(held.size()) +
+                         " key orientations stays clear of everything; move a key, or leave some out");
+  if (!path->corridor && held.empty()) {
+    const std::vector<Vec3> reference = reference_axes(allowed, reference_window_mm);
+    path->corridor = run_corridor(allowed, reference);
+    if (path->corridor->at.empty() && !path->loop.free) return no_chain(work, allowed, *path->corridor, reference);
+    if (path->corridor->at.empty()) path->corridor.reset();
   }
-  const PinLoopResult loop =
-      run_pin_loop(allowed, axes, std::vector<char>(axes.size(), 0), critical, user_pins(work), work.options);
-  work.report.iterations = loop.iterations;
-  work.report.solve_s = loop.solve_s;
-  if (!loop.free) {
-    return bad_input(
-        "orientation-not-converged",
-        "after " + std::to_string(loop.iterations) +
-            " rounds of pinning some CC points still touch; use smoothing = \"corridor\", or raise iterations_max");
-  }
-  return finished(work, allowed, loop.at, loop.pins);
+  const CorridorResult lowest = lowest_curve(allowed, *path, held);
+  work.report.iterations = lowest.iterations + (path->corridor ? path->corridor->iterations : 0);
+  work.report.solve_s = lowest.solve_s + (path->corridor ? path->corridor->solve_s : 0.0);
+  std::vector<int> pins;
+  for (const HeldStation& one : held) pins.push_back(one.station);
+  return finished(work, allowed, lowest.at, std::move(pins));
 }
 
 /// [Huang2016] Fig. 2: the axes follow a field through key axes, with keys added until every point is allowed.

@@ -57,7 +57,7 @@ class PinLoop {
     }
     pins_[index] = state;
   }
-  void pin_fixed(const FixedPin& pin) { pins_[pin.index] = {pin.axis_P, true, true, 0}; }
+  void pin_fixed(const FixedPin& pin) { pins_[pin.index] = {pin.axis_P, true, false, 0}; }
 
   PinLoopResult run();
 

@@ -32,27 +32,129 @@ TEST(Banded, SolvesWhatADenseSolverSolves) {
   for (int i = 0; i < n; ++i) EXPECT_NEAR(right[static_cast<std::size_t>(i)], wanted[i], 1e-13);
 }
 
+/// Bounds wide open, the start at 0.
+struct Problem {
+  std::vector<double> lower, upper, start;
+  explicit Problem(std::size_t n) : lower(n, -10.0), upper(n, 10.0), start(n, 0.0) {}
+  void fix(std::size_t i, double value) { lower[i] = value - 1e-7, upper[i] = value + 1e-7, start[i] = value; }
+  [[nodiscard]] SmoothProblem with(double step_mm) const { return {lower, upper, start, {step_mm, 10.0}}; }
+};
+
+double greatest_difference(std::vector<double> c, int order) {
+  for (int k = 0; k < order; ++k) {
+    for (std::size_t i = 0; i + 1 < c.size(); ++i) c[i] = c[i + 1] - c[i];
+    c.pop_back();
+  }
+  double most = 0.0;
+  for (const double value : c) most = std::max(most, std::abs(value));
+  return most;
+}
+
 TEST(SmoothestWithin, IsStraightWhereTheBoundsAllowIt) {
-  const std::size_t n = 200;
-  std::vector<double> lower(n, -10.0), upper(n, 10.0), start(n, 0.0);
-  lower.front() = 1.0 - 1e-9, upper.front() = 1.0 + 1e-9;
-  const auto c = smoothest_within(lower, upper, start, {}, {2.0, 10.0, 0.0});
-  for (const double value : c) EXPECT_NEAR(value, 1.0, 1e-5);
+  Problem problem(200);
+  problem.fix(0, 1.0);
+  for (const double value : smoothest_within(problem.with(2.0))) EXPECT_NEAR(value, 1.0, 1e-4);
 }
 
 TEST(SmoothestWithin, KeepsTheBoundsAndTouchesThem) {
-  const std::size_t n = 300;
-  std::vector<double> lower(n, -1.0), upper(n, 1.0), start(n, 0.0);
-  for (std::size_t i = 120; i < 160; ++i) lower[i] = 0.5;
-  for (std::size_t i = 0; i < 20; ++i) upper[i] = -0.2;
-  const auto c = smoothest_within(lower, upper, start, {}, {2.0, 10.0, 0.0});
+  Problem problem(300);
+  problem.lower.assign(300, -1.0), problem.upper.assign(300, 1.0);
+  for (std::size_t i = 120; i < 160; ++i) problem.lower[i] = 0.5;
+  for (std::size_t i = 0; i < 20; ++i) problem.upper[i] = -0.2;
+  const auto c = smoothest_within(problem.with(2.0));
   double least = 1.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    EXPECT_GE(c[i], lower[i]);
-    EXPECT_LE(c[i], upper[i]);
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    EXPECT_GE(c[i], problem.lower[i]);
+    EXPECT_LE(c[i], problem.upper[i]);
     if (i >= 120 && i < 160) least = std::min(least, c[i] - 0.5);
   }
   EXPECT_LT(least, 1e-4);
+}
+
+/// The stationary point of the same quadratic form by a dense solver.
+TEST(SmoothestWithin, WithoutBoundsInTheWayIsTheDenseMinimiser) {
+  const unsigned seed = 5;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  const int n = 60;
+  const double h = 1.5, l = 10.0;
+  Problem open(n);
+  SmoothProblem problem = open.with(h);
+  Eigen::MatrixXd form = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd right(n);
+  const double weights[] = {1.0 / h, l * l / (h * h * h), l * l * l * l / std::pow(h, 5)};
+  Eigen::MatrixXd difference = Eigen::MatrixXd::Identity(n, n);
+  for (const double weight : weights) {
+    difference = (difference.bottomRows(difference.rows() - 1) - difference.topRows(difference.rows() - 1)).eval();
+    form += weight * difference.transpose() * difference;
+  }
+  for (int i = 0; i < n; ++i) {
+    problem.attraction.weight.push_back(0.05 + 0.04 * any(random));
+    problem.attraction.target.push_back(any(random));
+    form(i, i) += problem.attraction.weight.back();
+    right[i] = problem.attraction.weight.back() * problem.attraction.target.back();
+  }
+  problem.held.push_back({20, {0.1, 0.4, 0.4, 0.1}, 0.7, 1e6});
+  Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
+  row.segment(20, 4) << 0.1, 0.4, 0.4, 0.1;
+  form += 1e6 * row * row.transpose();
+  right += 1e6 * 0.7 * row;
+  const Eigen::VectorXd wanted = form.ldlt().solve(right);
+  const auto c = smoothest_within(problem);
+  for (int i = 0; i < n; ++i) EXPECT_NEAR(c[static_cast<std::size_t>(i)], wanted[i], 1e-5) << "seed " << seed;
+  EXPECT_NEAR(row.dot(wanted), 0.7, 1e-5);
+}
+
+/// From rest to rest over a length L the least greatest acceleration for a rise D is 4 D / L^2: full on, full off.
+TEST(SmoothestWithin, APricedAccelerationBecomesBangBang) {
+  const std::size_t n = 203;
+  const double h = 0.5;
+  Problem problem(n);
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) problem.fix(i, 0.0);
+  for (const std::size_t i : {n - 2, n - 1}) problem.fix(i, 1.0);
+  for (std::size_t i = 2; i + 2 < n; ++i) {
+    const double t = static_cast<double>(i - 1) / static_cast<double>(n - 3);
+    problem.start[i] = t * t * (3.0 - 2.0 * t);
+  }
+  const double length = h * static_cast<double>(n - 2);
+  SmoothProblem priced = problem.with(h);
+  priced.peaks = PeakLimits{{1.0, 6.2 / (length * length), 1.0}, 1e4};
+  const auto c = smoothest_within(priced);
+  EXPECT_NEAR(greatest_difference(c, 2) / (h * h), 4.0 / (length * length), 0.02 * 4.0 / (length * length));
+  // Without the price the smooth curve is above.
+  EXPECT_GT(greatest_difference(smoothest_within(problem.with(h)), 2) / (h * h), 5.0 / (length * length));
+}
+
+TEST(SmoothestWithin, KeepsEveryLimitThatTheStartKeeps) {
+  const unsigned seed = 31;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  const std::size_t n = 160;
+  const double h = 2.0;
+  double worst = 0.0;
+  for (int trial = 0; trial < 20; ++trial) {
+    Problem problem(n);
+    const double a = any(random), b = any(random), c = 3.0 * any(random);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double t = static_cast<double>(i) / static_cast<double>(n);
+      problem.start[i] = a * std::sin(9.0 * t) + b * std::cos(4.0 * t + c);
+      const double width = 0.02 + 0.2 * std::abs(any(random));
+      problem.lower[i] = problem.start[i] - width, problem.upper[i] = problem.start[i] + width;
+    }
+    SmoothProblem limited = problem.with(h);
+    PeakLimits limits;
+    for (int k = 1; k <= 3; ++k)
+      limits.most[static_cast<std::size_t>(k) - 1] = greatest_difference(problem.start, k) / std::pow(h, k);
+    limited.peaks = limits;
+    const auto found = smoothest_within(limited);
+    for (int k = 1; k <= 3; ++k) {
+      const double share =
+          greatest_difference(found, k) / std::pow(h, k) / limits.most[static_cast<std::size_t>(k) - 1];
+      worst = std::max(worst, share);
+      EXPECT_LE(share, 1.0 + 1e-6) << "seed " << seed << " trial " << trial << " order " << k;
+    }
+  }
+  RecordProperty("worst_share", std::to_string(worst));
 }
 
 TEST(SplineGrid, ReproducesLines) {
