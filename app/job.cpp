@@ -160,7 +160,7 @@ class JobReader {
     const toml::table& path = reader_.table(root(), "", "path");
     reader_.only_keys(path, "path",
                       {"strategy", "method", "scallop_mm", "tolerance_mm", "direction", "cut_direction", "allowance_mm",
-                       "centre_loop", "from_turn", "to_turn", "plane_angle_deg"});
+                       "centre_loop", "root_child", "start_mm", "from_turn", "to_turn", "plane_angle_deg"});
     constexpr std::array strategies{Strategy::spiral, Strategy::contour_parallel, Strategy::projected_spiral,
                                     Strategy::contour_offset, Strategy::iso_planar};
     job_.path.strategy = strategies[reader_.choice(
@@ -176,6 +176,10 @@ class JobReader {
     job_.path.cut_direction = cuts[reader_.choice(path, "path", "cut_direction", {"any", "climb", "conventional"}, 0)];
     job_.path.allowance_mm = not_negative(path, "path", "allowance_mm", 0.0);
     job_.path.centre_loop = reader_.integer(path, "path", "centre_loop", -1, 0, 1'000'000);
+    job_.path.root_child = reader_.choice(path, "path", "root_child", {"nearest", "farthest"}, 0) == 0
+                               ? planner::RootChild::nearest
+                               : planner::RootChild::farthest;
+    if (path.contains("start_mm")) job_.path.start_P_mm = reader_.vector(path, "path", "start_mm");
     if (path.contains("from_turn")) job_.path.from_turn = not_negative(path, "path", "from_turn", 0.0);
     if (path.contains("to_turn")) job_.path.to_turn = not_negative(path, "path", "to_turn", 0.0);
     job_.path.plane_angle_rad = angle(path, "path", "plane_angle_deg", Angle(), -360.0, 360.0).radians();
@@ -258,9 +262,9 @@ class JobReader {
 
   void read_process() {
     const toml::table& process = reader_.table(root(), "", "process");
-    reader_.only_keys(
-        process, "process",
-        {"feed_mm_min", "approach_feed_mm_min", "spindle_rpm", "clearance_height_mm", "lead_radius_mm", "coolant"});
+    reader_.only_keys(process, "process",
+                      {"feed_mm_min", "approach_feed_mm_min", "spindle_rpm", "clearance_height_mm", "lead",
+                       "lead_radius_mm", "ramp_deg", "coolant"});
     job_.process.feed_mm_s = reader_.positive(process, "process", "feed_mm_min") / seconds_per_minute;
     job_.process.approach_feed_mm_s =
         not_negative(process, "process", "approach_feed_mm_min", 0.0) / seconds_per_minute;
@@ -269,6 +273,10 @@ class JobReader {
     job_.process.clearance_height_mm =
         reader_.positive(process, "process", "clearance_height_mm", job_.process.clearance_height_mm);
     job_.process.lead_radius_mm = not_negative(process, "process", "lead_radius_mm", 0.0);
+    job_.process.lead_shape = reader_.choice(process, "process", "lead", {"arc", "ramp"}, 0) == 0
+                                  ? planner::LeadShape::arc
+                                  : planner::LeadShape::ramp;
+    job_.process.ramp_angle = angle(process, "process", "ramp_deg", job_.process.ramp_angle, 1.0, 80.0);
     job_.coolant = reader_.boolean(process, "process", "coolant", true);
   }
 
