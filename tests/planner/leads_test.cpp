@@ -147,10 +147,10 @@ TEST(Leads, AnObstacleInTheArcsWayTurnsOrShortensIt) {
 }
 
 TEST(Leads, TheTipCountsToo) {
-  // A step of the part 5 mm behind the first point: the arc of radius 4 would push the ball of radius 3 into it. A
-  // second sheet with its face towards the tool stands there.
+  // A step of the part 4 mm behind the first point and 2.5 mm high: the arc of radius 4 would push the ball of radius 3
+  // into its edge, while everything above the ball passes over it.
   FlatCut job;
-  geometry::TriangleMesh step = testing::box(Vec3(-30, -10, -1), Vec3(-25.5, 10, 2.5));
+  geometry::TriangleMesh step = testing::box(Vec3(-30, -10, -1), Vec3(-24, 10, 2.5));
   const auto shift = static_cast<geometry::Index>(job.scene.part.vertices_mm.size());
   for (const Vec3& v : step.vertices_mm) job.scene.part.vertices_mm.push_back(v);
   for (geometry::Triangle t : step.triangles)
@@ -159,7 +159,7 @@ TEST(Leads, TheTipCountsToo) {
   ASSERT_TRUE(path) << path.error().message;
   for (const Vec3& offset : lead_in(*path)) {
     const Vec3 centre = Vec3(-20.0, 0.0, 3.0) + offset;
-    const Vec3 nearest(std::min(centre.x(), -25.5), 0.0, std::min(centre.z(), 2.5));
+    const Vec3 nearest(std::min(centre.x(), -24.0), 0.0, std::min(centre.z(), 2.5));
     EXPECT_GT((centre - nearest).norm(), 3.0 - 0.02) << "ball into the step at offset " << offset.transpose();
   }
 }

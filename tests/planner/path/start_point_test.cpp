@@ -69,5 +69,25 @@ TEST(StartPoint, AddsNothingWhereThePathBeginsThereAlready) {
   }
 }
 
+TEST(StartPoint, TheEvenSpiralBeginsWhereItIsAskedToAndSaysWhatItCosts) {
+  const TriangleMesh ring = samples::ring(6.0, 20.0, 90, 14);
+  PathOptions options;
+  options.scallop_mm = 0.3;
+  const auto plain = plan_cc_path(ring, {}, options, {});
+  ASSERT_TRUE(plain) << plain.error().message;
+  options.start_P_mm = Vec3(-3.0, -30.0, 1.0);
+  const auto asked = plan_cc_path(ring, {}, options, {});
+  ASSERT_TRUE(asked) << asked.error().message;
+  const double angle = std::atan2(-30.0, -3.0);
+  EXPECT_LT(
+      (asked->path.pieces[0].points.front().point_P_mm - 20.0 * Vec3(std::cos(angle), std::sin(angle), 0.0)).norm(),
+      1.5);
+  const double more_mm = asked->report.length_mm - plain->report.length_mm;
+  EXPECT_GT(more_mm, 0.0);
+  EXPECT_LT(more_mm, 2.0 * std::numbers::pi * 20.0);
+  ASSERT_FALSE(asked->report.notes.empty());
+  EXPECT_NE(asked->report.notes.front().find("path.start_mm"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace volute::planner
