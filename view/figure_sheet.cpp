@@ -11,7 +11,7 @@ namespace volute::view {
 
 namespace {
 
-constexpr int caption_height = 34, gap = 10;
+constexpr int caption_height = 34, gap = 10, sheet_shades = 32;
 constexpr double caption_size = 17.0, least_caption_size = 11.0, panel_text_unit = 0.62;
 
 struct CairoCloser {
@@ -74,6 +74,7 @@ Image figure_sheet(const std::vector<FigurePanel>& panels, int columns) {
   for (int i = 0; i < count; ++i)
     write_caption(cairo.get(), panels[static_cast<std::size_t>(i)].caption, place(i)[0], place(i)[1] + height, width);
   cairo_surface_flush(surface.get());
+  round_shades(sheet, sheet_shades);
   return sheet;
 }
 

@@ -2,6 +2,8 @@
 
 #include <cairo.h>
 
+#include <cmath>
+
 #include "geometry/check.hpp"
 
 namespace volute::view {
@@ -25,6 +27,15 @@ Image reduced(const Image& large, int factor) {
       for (const unsigned channel : sum) small.bgra[out++] = static_cast<std::uint8_t>((channel + count / 2) / count);
     }
   return small;
+}
+
+void round_shades(Image& image, int levels) {
+  VOLUTE_CHECK(levels >= 2 && levels <= 256, levels);
+  std::array<std::uint8_t, 256> rounded{};
+  const double step = 255.0 / (levels - 1);
+  for (std::size_t value = 0; value < rounded.size(); ++value)
+    rounded[value] = static_cast<std::uint8_t>(std::lround(std::round(static_cast<double>(value) / step) * step));
+  for (std::uint8_t& channel : image.bgra) channel = rounded[channel];
 }
 
 std::string png_bytes(const Image& image) {

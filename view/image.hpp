@@ -23,6 +23,10 @@ struct Image {
 /// Mean of `factor` x `factor` pixels: anti-aliasing of a picture drawn larger. Requires: sizes divisible by factor.
 Image reduced(const Image& large, int factor);
 
+/// Every channel rounded to one of `levels` evenly spaced values from 0 to 255: a PNG of line art then takes about half
+/// the bytes. Requires: 2 <= levels <= 256. Property: rounding twice is rounding once.
+void round_shades(Image& image, int levels);
+
 /// PNG as bytes. Deterministic.
 std::string png_bytes(const Image& image);
 

@@ -38,16 +38,29 @@ std::size_t dark_pixels(const Image& image, int top, int bottom) {
 }
 
 TEST(FigureSheet, PanelsStandWholeAndCaptionsUnderThem) {
-  const Image sheet = figure_sheet({{"(a) one", plain_image(200, 100, 10)}, {"", plain_image(200, 100, 20)}}, 2);
+  const Image sheet = figure_sheet({{"(a) one", plain_image(200, 100, 8)}, {"", plain_image(200, 100, 16)}}, 2);
   EXPECT_GE(sheet.width, 400);
-  std::size_t tens = 0, twenties = 0;
+  std::size_t eights = 0, sixteens = 0;
   for (std::size_t i = 0; i < sheet.bgra.size(); i += 4) {
-    tens += sheet.bgra[i] == 10 && sheet.bgra[i + 1] == 10 ? 1 : 0;
-    twenties += sheet.bgra[i] == 20 && sheet.bgra[i + 1] == 20 ? 1 : 0;
+    eights += sheet.bgra[i] == 8 && sheet.bgra[i + 1] == 8 ? 1 : 0;
+    sixteens += sheet.bgra[i] == 16 && sheet.bgra[i + 1] == 16 ? 1 : 0;
   }
-  EXPECT_GE(tens, 20'000U);
-  EXPECT_GE(twenties, 20'000U);
+  EXPECT_GE(eights, 20'000U);
+  EXPECT_GE(sixteens, 20'000U);
   EXPECT_GT(dark_pixels(sheet, sheet.height - 40, sheet.height), 40U) << "the caption is written";
+}
+
+TEST(Image, RoundedShadesStayAndKeepTheEnds) {
+  Image image{256, 1, {}};
+  for (int value = 0; value < 256; ++value) image.bgra.insert(image.bgra.end(), 4, static_cast<std::uint8_t>(value));
+  round_shades(image, 32);
+  EXPECT_EQ(image.bgra.front(), 0);
+  EXPECT_EQ(image.bgra.back(), 255);
+  for (int value = 0; value < 256; ++value)
+    EXPECT_NEAR(image.bgra[static_cast<std::size_t>(value) * 4], value, 4.2) << value;
+  Image again = image;
+  round_shades(again, 32);
+  EXPECT_EQ(again.bgra, image.bgra);
 }
 
 TEST(FigureSheet, ThirdPanelBeginsARow) {
