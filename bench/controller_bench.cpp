@@ -1,5 +1,6 @@
 // The virtual control against real time: how many seconds of machining one second of one core simulates.
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
 
 #include <cmath>
 #include <numbers>
@@ -51,7 +52,8 @@ MotionSource spiral(std::int64_t blocks, double step_mm, double feed_mm_s) {
 
 void run(benchmark::State& state, double step_mm, double feed_mm_s, std::int64_t blocks) {
   const kinematics::Machine bench_machine = machine();
-  const kinematics::Control control;
+  kinematics::Control control;
+  control.acceleration_profile = kinematics::AccelerationProfile::s_curve;
   ControlSetup setup;
   setup.machine = &bench_machine;
   setup.control = &control;
@@ -73,8 +75,17 @@ void SixMinutes(benchmark::State& state) { run(state, 0.3, 250.0 / 60.0, 5'000);
 // Short blocks at 3000 mm/min: the blocks, not the samples, are the work.
 void FastShortBlocks(benchmark::State& state) { run(state, 0.1, 50.0, 50'000); }
 
+// The same for programs of any length: time a block and memory stay.
+void Length(benchmark::State& state) {
+  run(state, 0.1, 50.0, state.range(0));
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  state.counters["peak_rss_mb"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
 BENCHMARK(OneHour)->Unit(benchmark::kMillisecond);
 BENCHMARK(SixMinutes)->Unit(benchmark::kMillisecond);
 BENCHMARK(FastShortBlocks)->Unit(benchmark::kMillisecond);
+BENCHMARK(Length)->Arg(100'000)->Arg(1'000'000)->Arg(10'000'000)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "sim/controller/axis_filter.hpp"
 
 #include "geometry/check.hpp"
+#include "sim/controller/lanes.hpp"
 
 namespace volute::sim {
 
@@ -20,17 +21,19 @@ void AxisFilter::rest(int n, double period_s, const kinematics::AxisVector& posi
 void AxisFilter::push(const kinematics::AxisVector& position, AxisSample& sample) {
   kinematics::AxisVector& oldest = ring_[next_];
   if (++next_ == ring_.size()) next_ = 0;
-  for (int i = 0; i < kinematics::axis_count; ++i) {
-    const double velocity = (position[i] - oldest[i]) * windows_per_s_;
-    const double acceleration = (velocity - velocity_[i]) * cycles_per_s_;
-    mean_[i] += velocity * period_s_;
-    sample.position[i] = mean_[i];
-    sample.velocity[i] = velocity;
-    sample.acceleration[i] = acceleration;
-    sample.jerk[i] = (acceleration - acceleration_[i]) * cycles_per_s_;
-    velocity_[i] = velocity;
-    acceleration_[i] = acceleration;
-  }
+  for_lanes([&]<int first, int count>() {
+    const auto part = [](auto& axes) { return axes.template segment<count>(first); };
+    using Lanes = Eigen::Matrix<double, count, 1>;
+    const Lanes velocity = (part(position) - part(oldest)) * windows_per_s_;
+    const Lanes acceleration = (velocity - part(velocity_)) * cycles_per_s_;
+    part(mean_) += velocity * period_s_;
+    part(sample.position) = part(mean_);
+    part(sample.velocity) = velocity;
+    part(sample.acceleration) = acceleration;
+    part(sample.jerk) = (acceleration - part(acceleration_)) * cycles_per_s_;
+    part(velocity_) = velocity;
+    part(acceleration_) = acceleration;
+  });
   oldest = position;
 }
 

@@ -12,9 +12,13 @@ namespace {
 /// Rounding of positions of some metres must not lift a sampled peak over its limit.
 constexpr double rounding_margin = 1.0 - 1e-6;
 
+bool limits_jerk(const kinematics::Control& control) {
+  return control.acceleration_profile == kinematics::AccelerationProfile::s_curve;
+}
+
 /// The time over which the axes need to average.
 double filter_time(const kinematics::Machine& machine, const kinematics::Control& control, double tolerance_mm) {
-  if (control.filter_time_s > 0.0) return control.filter_time_s;
+  if (control.filter_time_s > 0.0 || !limits_jerk(control)) return control.filter_time_s;
   double full = 0.0;
   double jerk = 0.0;
   for (const kinematics::Axis& axis : machine.axes) {
@@ -42,7 +46,8 @@ MotionLimits motion_limits(const kinematics::Machine& machine, const kinematics:
     VOLUTE_CHECK(axis.velocity_max > 0.0 && axis.acceleration_max > 0.0, axis.letter, axis.velocity_max,
                  axis.acceleration_max);
     limits.velocity[i] = axis.velocity_max * rounding_margin;
-    const double by_jerk = axis.jerk_max > 0.0 ? 0.5 * axis.jerk_max * n * dt : axis.acceleration_max;
+    const double by_jerk =
+        limits_jerk(control) && axis.jerk_max > 0.0 ? 0.5 * axis.jerk_max * n * dt : axis.acceleration_max;
     limits.jerk_bound[i] = by_jerk < axis.acceleration_max;
     limits.acceleration[i] = std::min(axis.acceleration_max, by_jerk) * rounding_margin;
   }

@@ -24,6 +24,8 @@ struct MotionLimits {
   double lag_per_acceleration_s2 = 0.0;
 };
 
+/// Profile trapezoid: no limit of jerk, acceleration is there at once; the average is `control.filter_time_s` long, or
+/// nothing. Profile s_curve: the average is what limits jerk.
 /// `tolerance_mm` finite: the filter is made short enough for the tip to keep half of it while the jerk limits still
 /// leave as much acceleration as possible (T^3 = 48 e / j); infinite: long enough for the full acceleration of every
 /// axis. `control.filter_time_s` > 0 takes the place of both. Requires: velocity and acceleration limits > 0; jerk_max

@@ -34,6 +34,13 @@ BendLimits::BendLimits(const PathCell& cell) {
   for (std::size_t j = 0; j < from_weight_.size(); ++j) {
     drop_rounding(from_weight_[j], to_weight_[j]);
     drop_rounding(to_weight_[j], from_weight_[j]);
+  }
+}
+
+void BendLimits::make_lines() {
+  if (lines_made_) return;
+  lines_made_ = true;
+  for (std::size_t j = 0; j < from_weight_.size(); ++j) {
     const double weight = from_weight_[j];
     if (weight != 0.0) {
       at_zero_[j] = 1.0 / std::abs(weight);
@@ -41,8 +48,15 @@ BendLimits::BendLimits(const PathCell& cell) {
       continue;
     }
     at_zero_[j] = no_limit;
+    slope_[j] = 0.0;
     if (to_weight_[j] != 0.0) end_sq_max_ = std::min(end_sq_max_, 1.0 / std::abs(to_weight_[j]));
   }
+}
+
+bool BendLimits::hold(double start_sq, double end_sq) const {
+  for (std::size_t j = 0; j < count; ++j)
+    if (!(std::abs(from_weight_[j] * start_sq + to_weight_[j] * end_sq) <= 1.0)) return false;
+  return true;
 }
 
 /// The lowest of the upper bounds on x0 at this x1; of two that meet there the one that falls.
@@ -56,7 +70,7 @@ BendLimits::Line BendLimits::lowest_upper(double end_sq) const {
     best = j;
   }
   if (!std::isfinite(least)) return {no_limit, 0.0, -1};
-  return {at_zero_[best], slope_[best], static_cast<int>(best) % axes};
+  return {at_zero_[best], slope_[best], axis_of(best)};
 }
 
 BendLimits::Line BendLimits::highest_lower(double end_sq) const {
@@ -68,14 +82,14 @@ BendLimits::Line BendLimits::highest_lower(double end_sq) const {
     greatest = value;
     best = j;
   }
-  return {-at_zero_[best], slope_[best], static_cast<int>(best) % axes};
+  return {-at_zero_[best], slope_[best], axis_of(best)};
 }
 
 // Between the lowest upper and the highest lower bound on x0 there is room up to some x1; the room is concave in x1, so
 // Newton's steps from beyond come down to its end without passing it.
 double BendLimits::greatest_feasible_end(double end_sq_max) const {
   double end_sq = std::min(end_sq_max, end_sq_max_);
-  for (int step = 0; step < 2 * count; ++step) {
+  for (std::size_t step = 0; step < 2 * count; ++step) {
     const Line upper = lowest_upper(end_sq), lower = highest_lower(end_sq);
     if (upper.axis < 0 || upper.at(end_sq) >= lower.at(end_sq)) break;
     end_sq = (upper.at_zero - lower.at_zero) / (lower.slope - upper.slope) * (1.0 - 1e-15);
@@ -85,7 +99,11 @@ double BendLimits::greatest_feasible_end(double end_sq_max) const {
 
 // The bound is concave in x1: if it still rises at the greatest x1, that is the best; else two lines, one rising and
 // one falling, are brought together until they meet on the bound.
-BendLimits::Answer BendLimits::greatest_start(double end_sq_max, double start_sq_max) const {
+BendLimits::Answer BendLimits::greatest_start(double end_sq_max, double start_sq_max) {
+  // At an even feed the limit of the start itself decides.
+  if (hold(start_sq_max, end_sq_max) || hold(start_sq_max, std::min(start_sq_max, end_sq_max)))
+    return {start_sq_max, -1};
+  make_lines();
   const double end_max = greatest_feasible_end(end_sq_max);
   const auto answer = [&](double sq, int axis) {
     return sq < start_sq_max ? Answer{sq, axis} : Answer{start_sq_max, -1};
@@ -95,7 +113,7 @@ BendLimits::Answer BendLimits::greatest_start(double end_sq_max, double start_sq
   Line rising = lowest_upper(0.0);
   if (rising.slope <= 0.0) return answer(rising.at_zero, rising.axis);
   double best = falling.at(end_max);
-  for (int turn = 0; turn < 2 * count; ++turn) {
+  for (std::size_t turn = 0; turn < 2 * count; ++turn) {
     const double meet = (falling.at_zero - rising.at_zero) / (rising.slope - falling.slope);
     const Line lowest = lowest_upper(meet);
     best = lowest.at(meet);
@@ -107,12 +125,13 @@ BendLimits::Answer BendLimits::greatest_start(double end_sq_max, double start_sq
 
 BendLimits::Answer BendLimits::greatest_end(double start_sq, double end_sq_max) const {
   Answer answer{end_sq_max, -1};
+  if (hold(start_sq, end_sq_max)) return answer;
   for (std::size_t j = 0; j < to_weight_.size(); ++j) {
     const double weight = to_weight_[j];
     if (weight == 0.0) continue;
     const double one = weight > 0.0 ? 1.0 + negligible : -1.0 - negligible;
     const double bound = (one - from_weight_[j] * start_sq) / weight;
-    if (bound < answer.sq) answer = {std::max(0.0, bound), static_cast<int>(j) % axes};
+    if (bound < answer.sq) answer = {std::max(0.0, bound), axis_of(j)};
   }
   return answer;
 }

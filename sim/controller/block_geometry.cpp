@@ -16,11 +16,13 @@ using geometry::Result;
 namespace {
 
 constexpr double no_motion = 1e-9;  ///< mm or rad: below the last digit of any program
+constexpr double same_rotaries_rad = 1e-8;
 /// Corner tolerance of exact path mode: the resolution of the controls this stands for.
 constexpr double exact_path_tolerance_mm = 0.001;
 constexpr double exact_path_tolerance_rad = 1e-5;
-/// Share of the corner tolerance that the polygon of a curved motion may take.
-constexpr double chord_share = 0.05;
+/// Shares of the corner tolerance: the polygon of a curved motion, the parabola at a corner, the average that follows.
+constexpr double chord_share = 0.1, corner_share = 0.45, lag_share = 0.45;
+static_assert(chord_share + corner_share + lag_share <= 1.0 + 1e-15);
 
 double rotation_between(const AxisVector& a, const AxisVector& b) { return (a.tail<2>() - b.tail<2>()).norm(); }
 
@@ -82,7 +84,10 @@ Result<BlockGeometry::Target> BlockGeometry::target_of(const MotionBlock& block)
     }
     target.q[3 + i] = position;
   }
-  if (!block.axis_vector) return target;
+  if (!block.axis_vector) {
+    turn_by_vector(block, target);
+    return target;
+  }
   const auto rotaries = solver_.rotaries_along(*block.axis_vector, q_);
   if (!rotaries)
     return bad_input("pose-unreachable", "line " + std::to_string(block.line) + ": no position of the rotaries of " +
@@ -91,9 +96,22 @@ Result<BlockGeometry::Target> BlockGeometry::target_of(const MotionBlock& block)
   target.q[3] = (*rotaries)[0];
   target.q[4] = (*rotaries)[1];
   target.axis_P = block.axis_vector->normalized();
-  target.by_vector =
-      control_.orientation_interpolation == kinematics::OrientationInterpolation::great_circle && block.tcp;
+  target.by_vector = block.tcp && block.orientation_interpolation.value_or(control_.orientation_interpolation) ==
+                                      kinematics::OrientationInterpolation::great_circle;
   return target;
+}
+
+// A program may ask for the great circle between rotary words too (ORIVECT, PATHCTRL VECTOR). It is followed where it
+// ends at the very positions that are programmed; another branch or turn is only reached by turning the axes.
+void BlockGeometry::turn_by_vector(const MotionBlock& block, Target& target) const {
+  if (!block.tcp || block.machine_coordinates ||
+      block.orientation_interpolation != kinematics::OrientationInterpolation::great_circle)
+    return;
+  const Vec3 axis_P = solver_.state(target.q).axis_P;
+  const auto rotaries = solver_.rotaries_along(axis_P, q_);
+  if (!rotaries || std::hypot((*rotaries)[0] - target.q[3], (*rotaries)[1] - target.q[4]) > same_rotaries_rad) return;
+  target.axis_P = axis_P;
+  target.by_vector = true;
 }
 
 Result<void> BlockGeometry::go_to(const MotionBlock& block, const Target& target) {
@@ -186,17 +204,32 @@ Result<void> BlockGeometry::add_tcp_point(const MotionBlock& block, const Vec3& 
   return {};
 }
 
-// The linear axes bend by the arm between tip and rotary lines times the rotation squared over 8.
+// The bow of the linear axes over their chord falls with the square of the number of pieces. It is at most the arm
+// between tip and rotary lines times the rotation squared over 8; where that is too much it is looked at in the middle.
+int BlockGeometry::tcp_pieces(const AxisVector& to_rotaries_q, const Vec3& tip_P_mm) const {
+  constexpr double turn_of_a_piece_rad = 0.25;  // up to here the middle tells the greatest bow
+  const double rotation = rotation_between(to_rotaries_q, q_);
+  const double arm_mm =
+      std::max(state_.tip_rates.col(3).norm(), state_.tip_rates.col(4).norm()) + (tip_P_mm - state_.tip_P_mm).norm();
+  double bow_mm = 0.125 * arm_mm * rotation * rotation;
+  if (bow_mm > chord_tolerance_mm_ && rotation < turn_of_a_piece_rad) {
+    const AxisVector middle_q = 0.5 * (q_ + to_rotaries_q);
+    const auto end = solver_.with_tip(tip_P_mm, to_rotaries_q);
+    const auto middle = solver_.with_tip(0.5 * (state_.tip_P_mm + tip_P_mm), middle_q);
+    if (end && middle) bow_mm = (*middle - 0.5 * (q_ + *end)).head<3>().norm();
+  }
+  return std::max(1, static_cast<int>(std::ceil(std::sqrt(bow_mm / chord_tolerance_mm_))));
+}
+
 Result<void> BlockGeometry::add_tcp_piece(const MotionBlock& block, const Vec3& tip_P_mm,
                                           const std::array<double, 2>& rotaries, BlockPath& path) {
   const AxisVector from = q_;
   const Vec3 from_tip = state_.tip_P_mm;
   const double turn[2] = {rotaries[0] - from[3], rotaries[1] - from[4]};
-  const double rotation = std::hypot(turn[0], turn[1]);
-  const double arm_mm =
-      std::max(state_.tip_rates.col(3).norm(), state_.tip_rates.col(4).norm()) + (tip_P_mm - from_tip).norm();
-  const int pieces =
-      std::max(1, static_cast<int>(std::ceil(rotation * std::sqrt(arm_mm / (8.0 * chord_tolerance_mm_)))));
+  AxisVector end = from;
+  end[3] = rotaries[0];
+  end[4] = rotaries[1];
+  const int pieces = tcp_pieces(end, tip_P_mm);
   AxisVector q = from;
   for (int i = 1; i <= pieces; ++i) {
     const double share = static_cast<double>(i) / pieces;
@@ -333,12 +366,12 @@ void BlockGeometry::set_speed(const MotionBlock& block, const AxisVector& from_q
 void BlockGeometry::set_tolerances(const MotionBlock& block, BlockPath& path) const {
   const double tolerance_mm = corner_tolerance(control_, block), tolerance_rad = corner_tolerance_rad(control_, block);
   for (PathPoint& point : path.points) {
-    point.lag_tolerance_mm = 0.5 * tolerance_mm;
-    point.lag_tolerance_rad = 0.5 * tolerance_rad;
+    point.lag_tolerance_mm = lag_share * tolerance_mm;
+    point.lag_tolerance_rad = lag_share * tolerance_rad;
   }
   if (path.points.empty()) return;
-  path.points.back().corner_tolerance_mm = 0.5 * tolerance_mm;
-  path.points.back().corner_tolerance_rad = 0.5 * tolerance_rad;
+  path.points.back().corner_tolerance_mm = corner_share * tolerance_mm;
+  path.points.back().corner_tolerance_rad = corner_share * tolerance_rad;
 }
 
 }  // namespace volute::sim

@@ -55,8 +55,10 @@ class BlockGeometry {
   [[nodiscard]] const AxisSolver& solver() const { return solver_; }
 
  private:
+  void turn_by_vector(const MotionBlock& block, Target& target) const;
   void add_straight(const MotionBlock& block, const Target& target, BlockPath& path);
   geometry::Result<void> add_tcp(const MotionBlock& block, const Target& target, BlockPath& path);
+  [[nodiscard]] int tcp_pieces(const AxisVector& to_rotaries_q, const Vec3& tip_P_mm) const;
   geometry::Result<void> add_tcp_piece(const MotionBlock& block, const Vec3& tip_P_mm,
                                        const std::array<double, 2>& rotaries, BlockPath& path);
   geometry::Result<void> add_vector(const MotionBlock& block, const Target& target, BlockPath& path);

@@ -9,6 +9,7 @@
 #include "sim/controller/cycle_sampler.hpp"
 #include "sim/controller/linuxcnc/linuxcnc_run.hpp"
 #include "sim/controller/path_cells.hpp"
+#include "sim/controller/run_loop.hpp"
 #include "sim/controller/run_statistics.hpp"
 #include "sim/controller/speed_profile.hpp"
 
@@ -16,22 +17,17 @@ namespace volute::sim {
 
 namespace {
 
-AxisVector zero_pose(const kinematics::Machine& machine) {
-  AxisVector q;
-  for (int i = 0; i < kinematics::axis_count; ++i) q[i] = machine.axes[static_cast<std::size_t>(i)].zero;
-  return q;
-}
-
 class ControlRun {
  public:
   ControlRun(const ControlSetup& setup, const SampleSink& sink)
-      : start_(setup.start.value_or(zero_pose(*setup.machine))),
+      : start_(start_position(setup)),
         geometry_(*setup.machine, *setup.control, setup.setup, setup.tool_length_mm, start_),
         feed_limits_(motion_limits(*setup.machine, *setup.control, setup.control->corner_tolerance_mm)),
         rapid_limits_(motion_limits(*setup.machine, *setup.control, no_limit)),
         rounder_(feed_limits_, rapid_limits_, start_),
         profile_(std::max(1, setup.control->look_ahead_blocks)),
-        statistics_(*setup.machine, setup.control->servo_period_s, true),
+        statistics_(*setup.machine, setup.control->servo_period_s,
+                    setup.control->acceleration_profile == kinematics::AccelerationProfile::s_curve),
         sampler_(*setup.machine, *setup.control, start_, sink, statistics_) {}
 
   Result<void> add(const MotionBlock& block) {
@@ -42,15 +38,14 @@ class ControlRun {
     if (path->stop_before) rounder_.hold(path->dwell_s, &info, cells_);
     for (const PathPoint& point : path->points) rounder_.add(point, cells_);
     if (path->stop_after && !path->points.empty()) rounder_.hold(0.0, &info, cells_);
-    profile_.add_block(cells_, ready_);
-    play();
+    plan();
     return {};
   }
 
   RunReport finish() {
     cells_.clear();
     rounder_.finish(cells_);
-    profile_.add_block(cells_, ready_);
+    plan();
     profile_.finish(ready_);
     play();
     for (const BlockInfo& block : blocks_) statistics_.end_block(block);
@@ -59,6 +54,10 @@ class ControlRun {
   }
 
  private:
+  void plan() {
+    profile_.add_block(cells_, ready_);
+    play();
+  }
   void play() {
     for (const TimedCell& timed : ready_) {
       if (timed.cell.block) retire_before(*timed.cell.block);
@@ -91,15 +90,7 @@ Result<RunReport> run_motions(const MotionSource& next, const ControlSetup& setu
                               const std::function<void(std::int64_t line)>& progress) {
   VOLUTE_CHECK(setup.machine && setup.control);
   if (setup.control->linuxcnc_planner) return linuxcnc::run_motions(next, setup, sink, progress);
-  ControlRun run(setup, sink);
-  for (std::int64_t count = 1;; ++count) {
-    const auto block = next();
-    if (!block) return tl::unexpected(block.error());
-    if (!*block) break;
-    if (auto done = run.add(**block); !done) return tl::unexpected(done.error());
-    if (progress && count % 4096 == 0) progress((*block)->line);
-  }
-  return run.finish();
+  return run_all(ControlRun(setup, sink), next, progress);
 }
 
 }  // namespace volute::sim

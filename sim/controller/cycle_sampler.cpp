@@ -3,12 +3,18 @@
 #include <cmath>
 
 #include "geometry/check.hpp"
+#include "sim/controller/lanes.hpp"
 
 namespace volute::sim {
 
 CycleSampler::CycleSampler(const kinematics::Machine& machine, const kinematics::Control& control,
                            const AxisVector& start, const SampleSink& sink, RunStatistics& statistics)
-    : period_s_(control.servo_period_s), servo_(machine, control), sink_(sink), statistics_(statistics), at_(start) {
+    : period_s_(control.servo_period_s),
+      servo_(machine, control),
+      exact_servo_(servo_.exact()),
+      sink_(sink),
+      statistics_(statistics),
+      at_(start) {
   filter_.rest(1, period_s_, at_);
   marks_.assign(1, Mark{});
 }
@@ -42,8 +48,11 @@ void CycleSampler::play(const PathCell& cell, const Phase& phase) {
   for (; t <= duration_s; t += period_s_) {
     const double s = phase.from + t * (phase.speed_from + t * change);
     mark.tip_speed_mm_s = static_cast<float>(cell.tip_rate * (phase.speed_from + 2.0 * t * change));
-    AxisVector q = cell.start + s * cell.rate;
-    if (!cell.straight) q += (0.5 * s * s) * cell.curvature;
+    AxisVector q;
+    for_lanes([&]<int first, int count>() {
+      q.segment<count>(first) = cell.start.segment<count>(first) + s * cell.rate.segment<count>(first) +
+                                (0.5 * s * s) * cell.curvature.segment<count>(first);
+    });
     push(q, mark);
   }
   wait_s_ = t - duration_s;
@@ -64,7 +73,7 @@ void CycleSampler::push(const AxisVector& q, const Mark& mark) {
   sample.limiting_axis = middle.axis;
   sample.rapid = middle.rapid;
   sample.cutting = middle.cutting;
-  statistics_.add_sample(sample, error, tip_rates_);
+  if (tip_rates_ && !exact_servo_) statistics_.add_contour_error(sample, error, *tip_rates_);
   if (filled_ == chunk_.size()) flush();
 }
 
@@ -93,6 +102,7 @@ void CycleSampler::finish() {
 }
 
 void CycleSampler::flush() {
+  statistics_.add_samples(std::span<const AxisSample>(chunk_.data(), filled_));
   if (filled_ > 0 && sink_) sink_(std::span<const AxisSample>(chunk_.data(), filled_));
   filled_ = 0;
 }

@@ -40,6 +40,7 @@ class CycleSampler {
 
   double period_s_;
   Servo servo_;
+  bool exact_servo_;
   const SampleSink& sink_;
   RunStatistics& statistics_;
   AxisFilter filter_;
@@ -49,7 +50,7 @@ class CycleSampler {
   std::int64_t cycle_ = 0;
   std::vector<Mark> marks_;  ///< of the cycles within half the filter: marks travel with the middle of the average
   std::size_t next_mark_ = 0;
-  std::array<AxisSample, 128> chunk_;  ///< small enough to stay near the processor
+  std::array<AxisSample, 64> chunk_;  ///< small enough to stay near the processor
   std::size_t filled_ = 0;
   const TipRates* tip_rates_ = nullptr;
 };

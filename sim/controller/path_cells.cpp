@@ -37,17 +37,29 @@ void limit_velocity(PathCell& cell) {
   }
 }
 
+void limit_acceleration(PathCell& cell) {
+  cell.acceleration_max = no_limit;
+  for (int i = 0; i < axes; ++i) {
+    const double rate = std::abs(cell.rate[i]);
+    if (rate <= 0.0) continue;
+    const double acceleration = cell.limits->acceleration[static_cast<std::size_t>(i)] / rate;
+    if (acceleration >= cell.acceleration_max) continue;
+    cell.acceleration_max = acceleration;
+    cell.acceleration_axis = i;
+  }
+}
+
 /// The speed's change is even within a cell, so a wide turn of the axes (weighed by what they can do) needs several.
-int cells_of_turn(const AxisVector& in, const AxisVector& out, const MotionLimits& limits) {
+int cells_of_turn(const AxisVector& in, const AxisVector& out, int halves, const MotionLimits& limits) {
   constexpr double turn_of_a_cell = 0.07;
-  constexpr int cells_most = 16;
+  const int cells_most = 32 / halves;
   double turn = 0.0, size = 0.0;
   for (int i = 0; i < axes; ++i) {
     const double a = limits.acceleration[static_cast<std::size_t>(i)];
     turn = std::max(turn, std::abs(out[i] - in[i]) / a);
     size = std::max({size, std::abs(in[i]) / a, std::abs(out[i]) / a});
   }
-  return std::clamp(static_cast<int>(std::ceil(turn / (2.0 * turn_of_a_cell * size))), 1, cells_most);
+  return std::clamp(static_cast<int>(std::ceil(turn / (halves * turn_of_a_cell * size))), 1, cells_most);
 }
 
 }  // namespace
@@ -65,21 +77,12 @@ PathCell CornerRounder::cell_of(const Piece& piece) const {
 
 void CornerRounder::straight(const Piece& piece, double from, double to, std::vector<PathCell>& cells) const {
   if (to - from <= 1e-12 * piece.end.length) return;
-  PathCell cell = cell_of(piece);
+  PathCell& cell = cells.emplace_back(cell_of(piece));
   cell.length = to - from;
   cell.start = piece.start + from * piece.rate;
   cell.rate = piece.rate;
   limit_velocity(cell);
-  cell.acceleration_max = no_limit;
-  for (int i = 0; i < axes; ++i) {
-    const double rate = std::abs(piece.rate[i]);
-    if (rate <= 0.0) continue;
-    const double acceleration = cell.limits->acceleration[static_cast<std::size_t>(i)] / rate;
-    if (acceleration >= cell.acceleration_max) continue;
-    cell.acceleration_max = acceleration;
-    cell.acceleration_axis = i;
-  }
-  cells.push_back(cell);
+  limit_acceleration(cell);
 }
 
 // The average over the filter lags an acceleration by a * lag_per_acceleration; only what stands across the path is an
@@ -121,27 +124,31 @@ void CornerRounder::corner(Piece& in, Piece& out, std::vector<PathCell>& cells) 
   round(in, out, reach, sharp, cells);
 }
 
-// Each half in as many cells as its turn asks for.
+// In as many cells as the turn asks for: each half by itself where the block, and with it the feed, changes.
 void CornerRounder::round(const Piece& in, const Piece& out, double reach, bool sharp,
                           std::vector<PathCell>& cells) const {
+  const int halves = in.end.block == out.end.block ? 1 : 2;
+  const double share = 2.0 * reach / halves;
   const AxisVector curvature = (out.rate - in.rate) / (2.0 * reach);
   const AxisVector start = in.end.q - reach * in.rate;
-  for (int half = 0; half < 2; ++half) {
-    PathCell cell = cell_of(half == 0 ? in : out);
-    const int parts = cells_of_turn(in.rate, out.rate, *cell.limits);
-    cell.tip_rates = in.end.tip_rates;
-    cell.length = reach / parts;
-    cell.straight = false;
-    cell.corner = sharp;
-    cell.curvature = curvature;
+  for (int half = 0; half < halves; ++half) {
+    const Piece& piece = half == 0 ? in : out;
+    const MotionLimits& limits = limits_of(piece.end);
+    const int parts = cells_of_turn(in.rate, out.rate, halves, limits);
     for (int part = 0; part < parts; ++part) {
-      const double s = half * reach + part * cell.length;
+      PathCell& cell = cells.emplace_back(cell_of(piece));
+      const double s = half * share + part * share / parts;
+      cell.speed_sq_max =
+          halves == 1 ? std::min(cell.speed_sq_max, out.end.speed_max * out.end.speed_max) : cell.speed_sq_max;
+      cell.tip_rates = in.end.tip_rates;
+      cell.length = share / parts;
+      cell.straight = false;
+      cell.corner = sharp;
+      cell.curvature = curvature;
       cell.start = start + s * in.rate + (0.5 * s * s) * curvature;
       cell.rate = in.rate + s * curvature;
-      PathCell placed = cell;
-      limit_velocity(placed);
-      limit_bend(placed, in.end);
-      cells.push_back(placed);
+      limit_velocity(cell);
+      limit_bend(cell, in.end);
     }
   }
 }

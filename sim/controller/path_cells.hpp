@@ -30,9 +30,10 @@ struct PathCell {
 };
 
 /// Rounds each corner by a parabola with equal lengths l on both sides: from the polygon it strays l |turn| / 4, where
-/// turn is the change of dq/ds. l is half of the shorter neighbour or what the corner's tolerance allows. Property 1: q
-/// is continuous with dq/ds everywhere but at holds. 2. The path leaves the corner by at most its tolerances (first
-/// order in the rotation within the corner). 3. The filter's lag stays within the lag tolerances at the planned speed.
+/// turn is the change of dq/ds. l is half of the shorter neighbour or what the corner's tolerance allows.
+/// Property 1: q is continuous with dq/ds everywhere but at holds. 2. The path leaves the corner by at most its
+/// tolerances (first order in the rotation within the corner). 3. The filter's lag stays within the lag tolerances at
+/// the planned speed.
 class CornerRounder {
  public:
   /// The limits must outlive the cells, which point to them.

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/number_text.hpp"
+#include "sim/controller/lanes.hpp"
+
 namespace volute::sim {
 
 namespace {
@@ -94,25 +97,51 @@ void RunStatistics::end_block(const BlockInfo& block) {
   if (list.size() > worst_kept) list.pop_back();
 }
 
-void RunStatistics::add_sample(const AxisSample& sample, const AxisVector& following_error, const TipRates* tip_rates) {
-  ++report_.samples;
-  bool outside = false;
-  for (int i = 0; i < axes; ++i) {
-    velocity_[i] = std::max(velocity_[i], std::abs(sample.velocity[i]));
-    acceleration_[i] = std::max(acceleration_[i], std::abs(sample.acceleration[i]));
-    jerk_[i] = std::max(jerk_[i], std::abs(sample.jerk[i]));
-    error_[i] = std::max(error_[i], std::abs(following_error[i]));
-    lowest_[i] = std::min(lowest_[i], sample.position[i]);
-    highest_[i] = std::max(highest_[i], sample.position[i]);
-    outside |= (sample.position[i] < travel_min_[i]) | (sample.position[i] > travel_max_[i]);
-  }
-  if (outside)
-    check_travel(sample);
-  else
+// One quantity at a time: its five peaks then stay in registers.
+void RunStatistics::add_samples(std::span<const AxisSample> samples) {
+  if (samples.empty()) return;
+  report_.samples += static_cast<std::int64_t>(samples.size());
+  const auto raise = [&](AxisVector& peaks, const auto& value_of) {
+    for_lanes([&]<int first, int count>() {
+      Eigen::Array<double, count, 1> most = peaks.segment<count>(first);
+      for (const AxisSample& sample : samples)
+        most = most.max(value_of(sample).template segment<count>(first).array().abs());
+      peaks.segment<count>(first) = most;
+    });
+  };
+  raise(velocity_, [](const AxisSample& s) -> const AxisVector& { return s.velocity; });
+  raise(acceleration_, [](const AxisSample& s) -> const AxisVector& { return s.acceleration; });
+  raise(jerk_, [](const AxisSample& s) -> const AxisVector& { return s.jerk; });
+  raise(error_, [](const AxisSample& s) { return s.position - s.actual; });
+  add_range(samples);
+}
+
+void RunStatistics::add_range(std::span<const AxisSample> samples) {
+  AxisVector lowest, highest;
+  for_lanes([&]<int first, int count>() {
+    using Lanes = Eigen::Array<double, count, 1>;
+    Lanes least = Lanes::Constant(no_limit), most = Lanes::Constant(-no_limit);
+    for (const AxisSample& sample : samples) {
+      const Lanes position = sample.position.segment<count>(first);
+      least = least.min(position);
+      most = most.max(position);
+    }
+    lowest.segment<count>(first) = least;
+    highest.segment<count>(first) = most;
+  });
+  lowest_ = lowest_.cwiseMin(lowest);
+  highest_ = highest_.cwiseMax(highest);
+  if ((lowest.array() >= travel_min_.array()).all() && (highest.array() <= travel_max_.array()).all())
     outside_ = {};
-  if (!tip_rates || sample.rapid || following_error.isZero(0.0)) return;
+  else
+    for (const AxisSample& sample : samples) check_travel(sample);
+}
+
+void RunStatistics::add_contour_error(const AxisSample& sample, const AxisVector& following_error,
+                                      const TipRates& tip_rates) {
+  if (sample.rapid || following_error.isZero(0.0)) return;
   // At rest the tip still stands behind along the way it came.
-  const Vec3 error = *tip_rates * following_error, along = *tip_rates * sample.velocity;
+  const Vec3 error = tip_rates * following_error, along = tip_rates * sample.velocity;
   const double speed = along.norm();
   if (speed > 1e-3) tip_direction_ = along / speed;
   contour_error_sq_ = std::max(contour_error_sq_, (error - error.dot(tip_direction_) * tip_direction_).squaredNorm());
@@ -163,7 +192,18 @@ RunReport RunStatistics::report() const {
     peaks.position_max = report.samples > 0 ? highest_[i] : 0.0;
   }
   report.contour_error_max_mm = std::sqrt(contour_error_sq_);
+  if (!holds_jerk_) warn_of_jerk(report);
   return report;
+}
+
+void RunStatistics::warn_of_jerk(RunReport& report) const {
+  for (std::size_t i = 0; i < report.axes.size(); ++i) {
+    const kinematics::Axis& axis = machine_.axes[i];
+    const double ratio = axis.jerk_max > 0.0 ? report.axes[i].jerk_max / axis.jerk_max : 0.0;
+    if (ratio > 1.0)
+      report.warnings.push_back(std::string("this control limits no jerk: axis ") + axis.letter + " reaches " +
+                                geometry::short_text(ratio, 3) + " times the jerk that the machine file allows");
+  }
 }
 
 }  // namespace volute::sim

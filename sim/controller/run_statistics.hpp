@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,16 @@ class RunStatistics {
   void add_dwell(double time_s) { dwell_s_ += time_s; }
   /// All of the block's time has been added.
   void end_block(const BlockInfo& block);
-  void add_sample(const AxisSample& sample, const AxisVector& following_error, const TipRates* tip_rates);
+  /// Samples in order; each is told once.
+  void add_samples(std::span<const AxisSample> samples);
+  /// What the servos leave across the tip's way at one of them.
+  void add_contour_error(const AxisSample& sample, const AxisVector& following_error, const TipRates& tip_rates);
   [[nodiscard]] RunReport report() const;
 
  private:
+  void add_range(std::span<const AxisSample> samples);
   void check_travel(const AxisSample& sample);
+  void warn_of_jerk(RunReport& report) const;
 
   const kinematics::Machine& machine_;
   double period_s_;
@@ -34,8 +40,7 @@ class RunStatistics {
   double stop_s_ = 0.0, dwell_s_ = 0.0, rapid_s_ = 0.0;
   std::array<double, 10> feed_limit_s_{};
   double rotary_s_ = 0.0;
-  Eigen::Matrix<double, kinematics::axis_count, 1> velocity_, acceleration_, jerk_, error_, lowest_, highest_,
-      travel_min_, travel_max_;
+  AxisVector velocity_, acceleration_, jerk_, error_, lowest_, highest_, travel_min_, travel_max_;
   std::array<bool, kinematics::axis_count> outside_{};
   double contour_error_sq_ = 0.0;
   Vec3 tip_direction_ = Vec3::Zero();  ///< in which the tip moved last

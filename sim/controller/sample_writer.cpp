@@ -20,11 +20,11 @@ void SampleWriter::push(const AxisVector& position, const SampleMark& mark) {
   position_ = position;
   velocity_ = sample.velocity;
   acceleration_ = sample.acceleration;
-  statistics_.add_sample(sample, error, nullptr);
   if (filled_ == chunk_.size()) finish();
 }
 
 void SampleWriter::finish() {
+  statistics_.add_samples(std::span<const AxisSample>(chunk_.data(), filled_));
   if (filled_ > 0 && sink_) sink_(std::span<const AxisSample>(chunk_.data(), filled_));
   filled_ = 0;
 }

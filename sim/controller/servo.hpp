@@ -13,6 +13,8 @@ class Servo {
  public:
   Servo(const kinematics::Machine& machine, const kinematics::Control& control);
   void rest() { error_.setZero(); }
+  /// Every axis follows its command without error.
+  [[nodiscard]] bool exact() const { return gain_.isZero(0.0); }
   /// The following error (command - actual) at the end of a period in which the command moved at `velocity`.
   const kinematics::AxisVector& step(const kinematics::AxisVector& velocity) {
     error_ = keep_.cwiseProduct(error_) + gain_.cwiseProduct(velocity);

@@ -19,7 +19,7 @@ Limit while_changing(Limit reason, const PathCell& cell, int axis) {
 }  // namespace
 
 void SpeedProfile::append(const PathCell& cell) {
-  Node node;
+  Node& node = window_.put();
   node.cell = cell;
   const bool before = last_sq_max_ <= cell.speed_sq_max;
   node.start_sq_max = before ? last_sq_max_ : cell.speed_sq_max;
@@ -28,13 +28,12 @@ void SpeedProfile::append(const PathCell& cell) {
   last_sq_max_ = cell.speed_sq_max;
   last_limit_ = cell.limit;
   last_axis_ = cell.limit_axis;
-  if (!cell.hold && !cell.straight) node.bend.emplace(cell);
-  window_.push_back(node);
+  if (!cell.hold && !cell.straight) node.bend = BendLimits(cell);
 }
 
 void SpeedProfile::add_block(const std::vector<PathCell>& cells, std::vector<TimedCell>& ready) {
   for (const PathCell& cell : cells) append(cell);
-  cells_of_block_.push_back(cells.size());
+  cells_of_block_.put() = cells.size();
   new_cells_ += cells.size();
   if (cells_of_block_.size() <= static_cast<std::size_t>(look_ahead_blocks_)) return;
   sweep_back(window_.size() - new_cells_);
@@ -69,7 +68,7 @@ void SpeedProfile::sweep_back(std::size_t first_new) {
       own = reach >= node.start_sq_max;
       if (!own) answer.sq = reach;
     } else {
-      answer = node.bend->greatest_start(end_sq, node.start_sq_max);
+      answer = node.bend.greatest_start(end_sq, node.start_sq_max);
       own = answer.axis < 0;
       if (!own && end_sq > answer.sq) {  // not the end but the bend itself is what holds the start down
         reason = cell.corner ? Limit::corner : Limit::axis_acceleration;
@@ -91,13 +90,12 @@ void SpeedProfile::sweep_back(std::size_t first_new) {
 
 void SpeedProfile::release(std::vector<TimedCell>& ready) {
   for (std::size_t left = cells_of_block_.front(); left > 0; --left) {
-    const Node node = window_.front();
-    window_.pop_front();
-    const bool last = window_.empty();
-    const double end_sq = last ? 0.0 : window_.front().sq;
-    const Limit reason = last ? Limit::stop : window_.front().reason;
-    const int reason_axis = last ? -1 : window_.front().reason_axis;
-    TimedCell timed;
+    Node& node = window_.front();
+    const bool last = window_.size() == 1;
+    const double end_sq = last ? 0.0 : window_[1].sq;
+    const Limit reason = last ? Limit::stop : window_[1].reason;
+    const int reason_axis = last ? -1 : window_[1].reason_axis;
+    TimedCell& timed = ready.emplace_back();
     timed.cell = node.cell;
     if (node.cell.hold)
       sq_now_ = 0.0, leaving_ = Limit::stop, leaving_axis_ = -1;
@@ -105,9 +103,9 @@ void SpeedProfile::release(std::vector<TimedCell>& ready) {
       time_straight(node.cell, end_sq, reason, reason_axis, timed);
     else
       time_bend(node, end_sq, reason, reason_axis, timed);
-    ready.push_back(timed);
+    window_.drop_front();
   }
-  cells_of_block_.pop_front();
+  cells_of_block_.drop_front();
 }
 
 void SpeedProfile::add_phase(TimedCell& timed, double from, double to, double from_sq, double to_sq, Limit limit,
@@ -141,7 +139,7 @@ void SpeedProfile::time_straight(const PathCell& cell, double end_sq, Limit end_
 
 void SpeedProfile::time_bend(const Node& node, double end_sq, Limit end_reason, int end_axis, TimedCell& timed) {
   const PathCell& cell = node.cell;
-  const BendLimits::Answer answer = node.bend->greatest_end(sq_now_, end_sq);
+  const BendLimits::Answer answer = node.bend.greatest_end(sq_now_, end_sq);
   Limit limit = end_reason;
   int axis = end_axis;
   if (answer.axis >= 0) {  // speeding up as the axes allow

@@ -4,12 +4,11 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
-#include <optional>
 #include <vector>
 
 #include "sim/controller/bend_limits.hpp"
 #include "sim/controller/path_cells.hpp"
+#include "sim/controller/ring.hpp"
 
 namespace volute::sim {
 
@@ -47,8 +46,8 @@ class SpeedProfile {
  private:
   struct Node {
     PathCell cell;
-    std::optional<BendLimits> bend;  ///< curved cells
-    double start_sq_max = 0.0;       ///< of x at the cell's start: both neighbours' limits
+    BendLimits bend;            ///< curved cells
+    double start_sq_max = 0.0;  ///< of x at the cell's start: both neighbours' limits
     Limit start_limit = Limit::stop;
     int start_axis = -1;
     double sq = 0.0;  ///< greatest x at the cell's start from which the window's end can be reached
@@ -63,8 +62,8 @@ class SpeedProfile {
   void add_phase(TimedCell& timed, double from, double to, double from_sq, double to_sq, Limit limit, int axis) const;
 
   int look_ahead_blocks_;
-  std::deque<Node> window_;
-  std::deque<std::size_t> cells_of_block_;
+  Ring<Node> window_;
+  Ring<std::size_t> cells_of_block_;
   std::size_t new_cells_ = 0;  ///< at the window's end, not swept yet
   double last_sq_max_ = 0.0;   ///< of the cell before the next one to come
   Limit last_limit_ = Limit::stop;

@@ -1,25 +1,18 @@
 #include "sim/interpreter/expression.hpp"
 
 #include <array>
-#include <cctype>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "geometry/number_text.hpp"
+#include "sim/interpreter/arithmetic.hpp"
 
 namespace volute::sim {
 
 namespace {
 
-constexpr int depth_most = 64;
 /// LinuxCNC's EQ and NE take numbers that differ by less as equal.
 constexpr double equal_within = 1e-4;
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
-
-bool digit(char c) { return c >= '0' && c <= '9'; }
-bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
 
 struct Operator {
   std::string_view name;
@@ -75,7 +68,7 @@ std::optional<double> read_plain_number(std::string_view line, std::size_t& at, 
   bool digits = false;
   point = false;
   for (; end < line.size(); ++end) {
-    if (digit(line[end]))
+    if (is_digit(line[end]))
       digits = true;
     else if (line[end] == '.' && !point)
       point = true;
@@ -99,7 +92,7 @@ bool ValueReader::value(double& out) {
     out = *number;
     return true;
   }
-  if (++depth_ > depth_most) return fault(at_, "the expression is nested too deeply");
+  if (++depth_ > nesting_most) return fault(at_, "the expression is nested too deeply");
   const char c = peek();
   bool ok = false;
   if (c == '[') {
@@ -110,7 +103,7 @@ bool ValueReader::value(double& out) {
     ++at_;
     ok = value(out);
     if (c == '-') out = -out;
-  } else if (letter(c)) {
+  } else if (is_letter(c)) {
     ok = function(out);
   } else {
     ok = fault(at_, "a number is missing here");
@@ -133,7 +126,7 @@ bool ValueReader::bracketed(double& out) {
 int ValueReader::operator_here(std::string_view& name) const {
   for (const Operator& candidate : operators) {
     std::size_t i = 0;
-    while (i < candidate.name.size() && at_ + i < line_.size() && upper(line_[at_ + i]) == candidate.name[i]) ++i;
+    while (i < candidate.name.size() && at_ + i < line_.size() && upper_case(line_[at_ + i]) == candidate.name[i]) ++i;
     if (i < candidate.name.size()) continue;
     name = candidate.name;
     return candidate.precedence;
@@ -151,7 +144,7 @@ bool ValueReader::binary(int least_precedence, double& out) {
     const std::size_t column = at_;
     at_ += name.size();
     double right = 0.0;
-    if (++depth_ > depth_most) return fault(at_, "the expression is nested too deeply");
+    if (++depth_ > nesting_most) return fault(at_, "the expression is nested too deeply");
     if (!binary(precedence + 1, right)) return false;
     --depth_;
     out = combine(name, out, right);
@@ -244,7 +237,7 @@ bool ValueReader::arc_tangent(double& out) {
 bool ValueReader::function(double& out) {
   const std::size_t column = at_;
   std::string name;
-  while (letter(peek())) name += upper(line_[at_++]);
+  while (is_letter(peek())) name += upper_case(line_[at_++]);
   if (name == "EXISTS") return exists(out);
   if (name == "ATAN") return arc_tangent(out);
   double argument = 0.0;
@@ -252,14 +245,8 @@ bool ValueReader::function(double& out) {
 }
 
 bool ValueReader::apply(std::string_view name, std::size_t column, double argument, double& out) {
-  if (name == "ABS")
-    out = std::abs(argument);
-  else if (name == "ACOS")
-    out = std::acos(argument) / rad_per_deg;
-  else if (name == "ASIN")
-    out = std::asin(argument) / rad_per_deg;
-  else if (name == "COS")
-    out = std::cos(argument * rad_per_deg);
+  if (const auto common = common_function(name, argument))
+    out = *common;
   else if (name == "EXP")
     out = std::exp(argument);
   else if (name == "FIX")
@@ -270,12 +257,6 @@ bool ValueReader::apply(std::string_view name, std::size_t column, double argume
     out = std::log(argument);
   else if (name == "ROUND")
     out = std::round(argument);
-  else if (name == "SIN")
-    out = std::sin(argument * rad_per_deg);
-  else if (name == "SQRT")
-    out = std::sqrt(argument);
-  else if (name == "TAN")
-    out = std::tan(argument * rad_per_deg);
   else
     return fault(column, in_quotes(name) + " is not a function that is known here");
   if (!std::isfinite(out))

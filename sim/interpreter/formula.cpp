@@ -1,29 +1,21 @@
 #include "sim/interpreter/formula.hpp"
 
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "geometry/number_text.hpp"
+#include "sim/interpreter/arithmetic.hpp"
 #include "sim/interpreter/expression.hpp"
 
 namespace volute::sim {
-
-namespace {
-constexpr int depth_most = 64;
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
-char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
-bool letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool digit(char c) { return c >= '0' && c <= '9'; }
-}  // namespace
 
 void Formula::skip_blanks() {
   while (at_ < line_.size() && (line_[at_] == ' ' || line_[at_] == '\t')) ++at_;
 }
 
 bool Formula::sum(double& out) {
-  if (++depth_ > depth_most) return fault(at_, "the formula is nested too deeply");
+  if (++depth_ > nesting_most) return fault(at_, "the formula is nested too deeply");
   if (!product(out)) return false;
   for (skip_blanks(); peek() == '+' || peek() == '-'; skip_blanks()) {
     const char sign = line_[at_++];
@@ -55,7 +47,7 @@ bool Formula::factor(double& out) {
     out = *number;
     return true;
   }
-  if (++depth_ > depth_most) return fault(at_, "the formula is nested too deeply");
+  if (++depth_ > nesting_most) return fault(at_, "the formula is nested too deeply");
   bool ok = false;
   const char c = peek();
   if (c == '+' || c == '-') {
@@ -68,7 +60,7 @@ bool Formula::factor(double& out) {
     skip_blanks();
     if (ok && peek() != ')') ok = fault(at_, "\")\" is missing here");
     if (ok) ++at_;
-  } else if (upper(c) == variable_ && at_ + 1 < line_.size() && digit(line_[at_ + 1])) {
+  } else if (upper_case(c) == variable_ && at_ + 1 < line_.size() && is_digit(line_[at_ + 1])) {
     const std::size_t column = at_;
     int index = 0;
     ok = variable_index(index);
@@ -79,7 +71,7 @@ bool Formula::factor(double& out) {
                                 variable_ + std::to_string(index) + " has no value here; set it in the program");
       out = *value;
     }
-  } else if (letter(c)) {
+  } else if (is_letter(c)) {
     ok = function(out);
   } else {
     ok = fault(at_, "a number is missing here");
@@ -91,7 +83,7 @@ bool Formula::factor(double& out) {
 bool Formula::variable_index(int& out) {
   const std::size_t column = at_++;
   const std::size_t first = at_;
-  while (digit(peek())) ++at_;
+  while (is_digit(peek())) ++at_;
   const auto index = geometry::parse_integer(line_.substr(first, at_ - first));
   if (!index || *index > Variables::highest)
     return diagnosis_.fault(column, "program-parameter",
@@ -121,7 +113,7 @@ bool Formula::arc_tangent(double& out) {
 bool Formula::function(double& out) {
   const std::size_t column = at_;
   std::string name;
-  while (letter(peek()) || (!name.empty() && digit(peek()))) name += upper(line_[at_++]);
+  while (is_letter(peek()) || (!name.empty() && is_digit(peek()))) name += upper_case(line_[at_++]);
   if (name == "ATAN2") return arc_tangent(out);
   double x = 0.0;
   if (name == "PI") {
@@ -129,20 +121,8 @@ bool Formula::function(double& out) {
     return true;
   }
   if (!factor(x)) return false;
-  if (name == "SIN")
-    out = std::sin(x * rad_per_deg);
-  else if (name == "COS")
-    out = std::cos(x * rad_per_deg);
-  else if (name == "TAN")
-    out = std::tan(x * rad_per_deg);
-  else if (name == "ASIN")
-    out = std::asin(x) / rad_per_deg;
-  else if (name == "ACOS")
-    out = std::acos(x) / rad_per_deg;
-  else if (name == "SQRT")
-    out = std::sqrt(x);
-  else if (name == "ABS")
-    out = std::abs(x);
+  if (const auto common = common_function(name, x))
+    out = *common;
   else if (name == "POT" || name == "SQ")
     out = x * x;
   else

@@ -4,9 +4,9 @@
 #include <deque>
 #include <numbers>
 
-#include "geometry/number_text.hpp"
 #include "sim/controller/block_geometry.hpp"
 #include "sim/controller/linuxcnc/planner.hpp"
+#include "sim/controller/run_loop.hpp"
 #include "sim/controller/run_statistics.hpp"
 #include "sim/controller/sample_writer.hpp"
 
@@ -38,12 +38,6 @@ PlannerLimits limits_of(const kinematics::Machine& machine, const kinematics::Co
   return limits;
 }
 
-AxisVector zero_pose(const kinematics::Machine& machine) {
-  AxisVector q;
-  for (int i = 0; i < axes; ++i) q[i] = machine.axes[static_cast<std::size_t>(i)].zero;
-  return q;
-}
-
 struct Cause {
   Limit limit = Limit::axis_acceleration;
   int axis = -1;
@@ -68,7 +62,7 @@ class Run {
  public:
   Run(const ControlSetup& setup, const SampleSink& sink)
       : control_(*setup.control),
-        start_(setup.start.value_or(zero_pose(*setup.machine))),
+        start_(start_position(setup)),
         geometry_(*setup.machine, *setup.control, setup.setup, setup.tool_length_mm, start_),
         planner_(limits_of(*setup.machine, *setup.control), {}),
         canon_(bounds_of(*setup.machine), {}),
@@ -110,25 +104,13 @@ class Run {
     rest();
     for (const BlockInfo& block : blocks_) statistics_.end_block(block);
     writer_.finish();
-    RunReport report = statistics_.report();
-    warn_of_jerk(report);
-    return report;
+    return statistics_.report();
   }
 
  private:
   void queue(const Move& move) {
     while (planner_.full()) cycle();
     planner_.add(move);
-  }
-
-  void warn_of_jerk(RunReport& report) const {
-    for (std::size_t i = 0; i < report.axes.size(); ++i) {
-      const kinematics::Axis& axis = machine_.axes[i];
-      const double ratio = axis.jerk_max > 0.0 ? report.axes[i].jerk_max / axis.jerk_max : 0.0;
-      if (ratio > 1.0)
-        report.warnings.push_back(std::string("this control limits no jerk: axis ") + axis.letter + " reaches " +
-                                  geometry::short_text(ratio, 3) + " times the jerk that the machine file allows");
-    }
   }
 
   /// Lengths and times that the report compares with.
@@ -236,15 +218,7 @@ class Run {
 
 Result<RunReport> run_motions(const MotionSource& next, const ControlSetup& setup, const SampleSink& sink,
                               const std::function<void(std::int64_t line)>& progress) {
-  Run run(setup, sink);
-  for (std::int64_t count = 1;; ++count) {
-    const auto block = next();
-    if (!block) return tl::unexpected(block.error());
-    if (!*block) break;
-    if (auto done = run.add(**block); !done) return tl::unexpected(done.error());
-    if (progress && count % 4096 == 0) progress((*block)->line);
-  }
-  return run.finish();
+  return run_all(Run(setup, sink), next, progress);
 }
 
 }  // namespace volute::sim::linuxcnc

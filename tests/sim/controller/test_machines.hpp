@@ -62,6 +62,7 @@ inline kinematics::Control plain_control() {
   control.name = "test";
   control.corner_tolerance_mm = 0.01;
   control.corner_tolerance_rad = 0.001;
+  control.acceleration_profile = kinematics::AccelerationProfile::s_curve;
   return control;
 }
 
