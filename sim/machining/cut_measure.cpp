@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -57,17 +58,42 @@ bool holds(const Cell& cell, const Vec3& normal, const Vec3& point) {
   return side(cell.a, cell.b) >= slack && side(cell.b, cell.c) >= slack && side(cell.c, cell.a) >= slack;
 }
 
-Extreme zoom_cell(const SweptCutter& cutter, const Cell& whole, const Vec3& normal, double height_mm, Sought sought) {
+/// The entry of one line: first below the height where most have theirs, then up to the height that is searched.
+class TwoSteps {
+ public:
+  TwoSteps(const SweptCutter& cutter, const Cell& cell, const Vec3& normal, const SearchHeights& heights)
+      : cutter_(cutter), cell_(cell), normal_(normal), heights_(heights) {
+    near_cell(cutter, cell, normal, heights.near_height_mm, low_);
+  }
+  /// Nothing above `limit_mm` matters.
+  std::optional<SweptEntry> entry(const Vec3& point, double limit_mm) {
+    const double low = std::min(limit_mm, heights_.near_height_mm);
+    if (auto found = cutter_.entry(point, normal_, low, low_); found || limit_mm <= low) return found;
+    if (!high_) near_cell(cutter_, cell_, normal_, heights_.search_height_mm, high_.emplace());
+    return cutter_.entry(point, normal_, heights_.search_height_mm, *high_);
+  }
+
+ private:
+  const SweptCutter& cutter_;
+  const Cell& cell_;
+  const Vec3& normal_;
+  const SearchHeights& heights_;
+  SweptCutter::Near low_;
+  std::optional<SweptCutter::Near> high_;
+};
+
+Extreme zoom_cell(const SweptCutter& cutter, const Cell& whole, const Vec3& normal, const SearchHeights& heights,
+                  Sought sought) {
   constexpr int levels = 3, cuts = 8;
   Cell cell = whole;
-  SweptCutter::Near near;
-  near_cell(cutter, cell, normal, height_mm, near);
+  TwoSteps lines(cutter, whole, normal, heights);
+  const double limit_mm = sought == Sought::highest ? heights.search_height_mm : 0.0;
   Extreme best{
       sought == Sought::highest ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity(),
       -1, cell.centroid()};
   const auto take = [&](const Vec3& point) {
     if (!holds(whole, normal, point)) return;
-    const auto entry = cutter.entry(point, normal, height_mm, near);
+    const auto entry = lines.entry(point, limit_mm);
     const double height = comparable(entry);
     const bool better = sought == Sought::highest ? (entry && height > best.height_mm) : height < best.height_mm;
     if (better) best = {height, entry->pose, point};
@@ -128,8 +154,7 @@ std::vector<Extreme> zoom(const SweptCutter& cutter, const SurfaceSamples& sampl
   std::vector<Extreme> out(where.size());
   tbb::parallel_for(std::size_t{0}, where.size(), [&](std::size_t i) {
     const auto& patch = samples.patch_of(where[i]);
-    out[i] = zoom_cell(cutter, sample_cell(samples, where[i]), samples.normal(patch.triangle), heights.search_height_mm,
-                       sought);
+    out[i] = zoom_cell(cutter, sample_cell(samples, where[i]), samples.normal(patch.triangle), heights, sought);
   });
   return out;
 }

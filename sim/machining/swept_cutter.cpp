@@ -143,6 +143,9 @@ bool SweptCutter::may_improve(const Place& place, const Vec3& point_mm, const Ve
   const double along = w.dot(place.cutter.axis);
   const double reach = profile_.greatest_radius_mm() + half;
   if ((w - along * place.cutter.axis).squaredNorm() > reach * reach) return false;
+  // The plane of its bottom stands above the limit where the line crosses it.
+  const double rise = normal.dot(place.cutter.axis);
+  if (rise > 1e-9 && -from_tip.dot(place.cutter.axis) > limit_mm * rise) return false;
   // The whole cutter stands above the limit: its lowest point is that in the direction against the normal.
   const double down = -normal.dot(place.cutter.axis);
   const Vec2 lowest = profile_.support(down);
@@ -184,18 +187,15 @@ void SweptCutter::entry_of_places(const Vec3& point_mm, const Vec3& normal, doub
     best = SweptEntry{*t, place.pose};
     limit = *t;
   }
-  // What lies between places can be lower by the slack: each row of places that came so close is looked into.
+  // What lies between places can be lower by the slack. Along a straight move of a convex solid the entry is a convex
+  // function of the way, so only about places lower than both their neighbours.
   std::erase_if(low, [&](const Low& l) { return l.height_mm > limit + slack_mm_; });
-  std::sort(low.begin(), low.end(), [](const Low& a, const Low& b) {
-    return a.height_mm != b.height_mm ? a.height_mm < b.height_mm : a.place < b.place;
-  });
-  std::vector<std::int32_t> done;
-  for (const Low& l : low) {
-    const bool beside =
-        std::any_of(done.begin(), done.end(), [&](std::int32_t d) { return std::abs(d - l.place) <= 1; });
-    if (beside) continue;
-    done.push_back(l.place);
-    refine(l.place, l.height_mm, point_mm, normal, best);
+  std::sort(low.begin(), low.end(), [](const Low& a, const Low& b) { return a.place < b.place; });
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    const bool before = i > 0 && low[i - 1].place == low[i].place - 1 && low[i - 1].height_mm <= low[i].height_mm;
+    const bool behind =
+        i + 1 < low.size() && low[i + 1].place == low[i].place + 1 && low[i + 1].height_mm < low[i].height_mm;
+    if (!before && !behind) refine(low[i].place, low[i].height_mm, point_mm, normal, best);
   }
 }
 
