@@ -17,7 +17,8 @@ using geometry::Vec2;
 using geometry::Vec3;
 using Polyline = std::vector<Vec2>;
 
-constexpr double width_px = 900.0, margin_px = 20.0, foot_px = 70.0, kept_px = 0.6;
+// Whole pixels of a large page: steps between them are short as text.
+constexpr double width_px = 1800.0, margin_px = 40.0, foot_px = 150.0, kept_px = 1.2, row_px = 44.0;
 
 /// From far too near (blue) over just right (green) to too wide (red); each up to its ratio.
 struct Shade {
@@ -55,32 +56,42 @@ class Drawing {
     for (const Vec2& p : points)
       px.emplace_back(margin_px + (p.x() - low_.x()) * scale_.x(),
                       height_px_ - margin_px - (p.y() - low_.y()) * scale_.y());
-    body_ += "<polyline points=\"";
-    for (const Vec2& p : thinned(px)) body_ += tenths(p.x()) + "," + tenths(p.y()) + " ";
-    body_.back() = '"';
-    body_ += " " + style + "/>\n";
+    body_ += "<path d=\"";
+    Vec2 at = Vec2::Zero();
+    for (const Vec2& p : thinned(px)) {
+      const Vec2 to = p.array().round();
+      body_ += (at.isZero() ? "M" : body_.back() == 'l' ? "" : " ") + step(to - at);
+      if (at.isZero()) body_ += "l";
+      at = to;
+    }
+    body_ += "\" " + style + "/>\n";
   }
   /// Below the content, in rows of text.
   void text(double x_px, int row, const std::string& words) {
     body_ +=
-        "<text x=\"" + tenths(x_px) + "\" y=\"" + tenths(height_px_ + 16.0 + 22.0 * row) + "\">" + words + "</text>\n";
+        "<text x=\"" + whole(x_px) + "\" y=\"" + whole(height_px_ + 32.0 + row_px * row) + "\">" + words + "</text>\n";
   }
   void swatch(double x_px, int row, const std::string& colour) {
-    body_ += "<rect x=\"" + tenths(x_px) + "\" y=\"" + tenths(height_px_ + 6.0 + 22.0 * row) +
-             "\" width=\"18\" height=\"10\" fill=\"" + colour + "\"/>\n";
+    body_ += "<rect x=\"" + whole(x_px) + "\" y=\"" + whole(height_px_ + 12.0 + row_px * row) +
+             "\" width=\"36\" height=\"20\" fill=\"" + colour + "\"/>\n";
   }
   [[nodiscard]] bool write(const std::filesystem::path& file) const {
     std::ofstream out(file, std::ios::binary);
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << tenths(width_px) << ' '
-        << tenths(height_px_ + foot_px)
-        << "\" font-family=\"sans-serif\" font-size=\"14\" fill=\"none\" stroke-linejoin=\"round\">\n"
+    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << whole(width_px) << ' '
+        << whole(height_px_ + foot_px)
+        << "\" font-family=\"sans-serif\" font-size=\"28\" fill=\"none\" stroke-linejoin=\"round\">\n"
         << "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<style>text{fill:#222}</style>\n"
         << body_ << "</svg>\n";
     return static_cast<bool>(out.flush());
   }
 
  private:
-  static std::string tenths(double x) { return geometry::short_text(std::round(10.0 * x) / 10.0); }
+  static std::string whole(double x) { return geometry::short_text(std::round(x)); }
+  /// "dx dy"; a minus sign parts the two as well as a space does.
+  static std::string step(const Vec2& by) {
+    const std::string dy = whole(by.y());
+    return whole(by.x()) + (dy.front() == '-' ? "" : " ") + dy;
+  }
 
   /// Douglas and Peucker: no point left out lies farther off than kept_px.
   static Polyline thinned(const Polyline& px) {
@@ -133,7 +144,7 @@ void draw_coloured(const PathPicture& picture, Drawing& drawing) {
   Polyline run;
   std::size_t shade = 0;
   const auto finish = [&] {
-    drawing.line(run, std::string("stroke=\"") + shades[shade].colour + "\" stroke-width=\"1.3\"");
+    drawing.line(run, std::string("stroke=\"") + shades[shade].colour + "\" stroke-width=\"2.6\"");
   };
   Vec3 last = Vec3::Zero();
   for (const auto& sample : planner::interval_samples(picture.surface, intervals, picture.result.path)) {
@@ -161,7 +172,7 @@ bool draw_path(const PathPicture& picture, const std::filesystem::path& file) {
   for (const planner::CcPiece& piece : picture.result.path.pieces) {
     Polyline line;
     for (const planner::CcPoint& p : piece.points) line.push_back(from_above(p.point_P_mm));
-    drawing.line(line, "stroke=\"#bbb\" stroke-width=\"0.5\"");
+    drawing.line(line, "stroke=\"#bbb\" stroke-width=\"1\"");
   }
   draw_coloured(picture, drawing);
   const auto topology = geometry::MeshTopology::build(picture.surface);
@@ -171,18 +182,19 @@ bool draw_path(const PathPicture& picture, const std::filesystem::path& file) {
     for (geometry::Index v : loop.vertices)
       line.push_back(from_above(picture.surface.vertices_mm[static_cast<std::size_t>(v)]));
     line.push_back(line.front());
-    drawing.line(line, "stroke=\"#000\" stroke-width=\"1.5\"");
+    drawing.line(line, "stroke=\"#000\" stroke-width=\"3\"");
   }
   for (const auto& bridge : picture.result.map.bridges_P) {
     Polyline line;
     for (const Vec3& p : bridge) line.push_back(from_above(p));
-    drawing.line(line, "stroke=\"#000\" stroke-width=\"2\" stroke-dasharray=\"6 4\"");
+    drawing.line(line, "stroke=\"#000\" stroke-width=\"4\" stroke-dasharray=\"12 8\"");
   }
-  drawing.text(margin_px, 0, caption(picture) + "; distance to the next turn over the allowed one:");
+  drawing.text(margin_px, 0, caption(picture));
+  drawing.text(margin_px, 1, "distance to the next turn over the allowed one:");
   for (std::size_t k = 0; k < shades.size(); ++k) {
-    const double x = margin_px + 130.0 * static_cast<double>(k);
-    drawing.swatch(x, 1, shades[k].colour);
-    drawing.text(x + 24.0, 1, shades[k].label);
+    const double x = margin_px + 260.0 * static_cast<double>(k);
+    drawing.swatch(x, 2, shades[k].colour);
+    drawing.text(x + 48.0, 2, shades[k].label);
   }
   return drawing.write(file);
 }
@@ -194,9 +206,9 @@ bool draw_map(const PathPicture& picture, const std::filesystem::path& file) {
     high = high.cwiseMax(v);
   }
   Drawing drawing(low, high, 0.5);
-  drawing.line({low, {high.x(), low.y()}, high, {low.x(), high.y()}, low}, "stroke=\"#000\" stroke-width=\"1.5\"");
+  drawing.line({low, {high.x(), low.y()}, high, {low.x(), high.y()}, low}, "stroke=\"#000\" stroke-width=\"3\"");
   for (const Polyline& line : picture.result.map.guide_lines)
-    drawing.line(line, "stroke=\"#4575b4\" stroke-width=\"0.8\"");
+    drawing.line(line, "stroke=\"#4575b4\" stroke-width=\"1.6\"");
   drawing.text(margin_px, 0,
                picture.name +
                    ": guide lines in the map; below the outer boundary, above the holes and their bridges, "

@@ -28,6 +28,28 @@ std::vector<RawPoint> without_repeats(std::span<const RawPoint> raw, double leas
   return kept;
 }
 
+/// Points on the chord where two neighbours that stand on the mesh itself are farther apart than a mesh fit for the
+/// path would have them: a spline through both alone would bulge off the triangle between.
+std::vector<RawPoint> with_long_chords_filled(const std::vector<RawPoint>& raw, double step_mm) {
+  constexpr double longest_steps = 1.5, filled_steps = 0.5;
+  std::vector<RawPoint> filled{raw.front()};
+  for (const RawPoint& p : std::span(raw).subspan(1)) {
+    const RawPoint from = filled.back();
+    const double chord_mm = (p.point_mm - from.point_mm).norm();
+    const bool on_mesh = from.edge_tangent.isZero() && p.edge_tangent.isZero();
+    const int parts =
+        on_mesh && chord_mm > longest_steps * step_mm ? static_cast<int>(chord_mm / (filled_steps * step_mm)) : 1;
+    for (int k = 1; k < parts; ++k) {
+      const double share = static_cast<double>(k) / parts;
+      filled.push_back({from.point_mm + share * (p.point_mm - from.point_mm),
+                        ((1.0 - share) * from.normal + share * p.normal).normalized(),
+                        from.turn + share * (p.turn - from.turn), Vec3::Zero()});
+    }
+    filled.push_back(p);
+  }
+  return filled;
+}
+
 /// Quasi arc length: the chords added up.
 std::vector<double> chord_parameters(const std::vector<RawPoint>& raw) {
   std::vector<double> s{0.0};
@@ -187,7 +209,8 @@ CurveOptions curve_options(const kinematics::Cutter& cutter, const PathOptions& 
 
 std::vector<CcPoint> smooth_curve(std::span<const RawPoint> raw, const CurveOptions& options) {
   VOLUTE_CHECK(raw.size() >= 2, raw.size());
-  std::vector<RawPoint> kept = without_repeats(raw, 0.02 * options.step_max_mm);
+  std::vector<RawPoint> kept =
+      with_long_chords_filled(without_repeats(raw, 0.02 * options.step_max_mm), options.step_max_mm);
   if (kept.size() < 5) return plain_points(kept);
   const PathSpline spline = fit(kept, options);
   const double length = spline.last();

@@ -1,5 +1,8 @@
 #include "planner/path/guided_path.hpp"
 
+#include <algorithm>
+
+#include "geometry/mesh_measure.hpp"
 #include "geometry/number_text.hpp"
 #include "planner/path/guide_field.hpp"
 #include "planner/path/path_measure.hpp"
@@ -19,6 +22,21 @@ MapDrawing drawing_of(const Annulus& annulus, const GuideField& field, const Gui
   return drawing;
 }
 
+/// Share of the area in triangles with an edge longer than one and a half intervals: levels are linear inside a
+/// triangle, so that passes there cannot follow what each turn needs.
+double coarse_share(const TriangleMesh& mesh, double interval_mm) {
+  double coarse_mm2 = 0.0, area_mm2 = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto corner = [&](std::size_t k) { return mesh.vertices_mm[static_cast<std::size_t>(mesh.triangles[t][k])]; };
+    const double longest_mm =
+        std::max({(corner(1) - corner(0)).norm(), (corner(2) - corner(1)).norm(), (corner(0) - corner(2)).norm()});
+    const double triangle_mm2 = geometry::triangle_area_mm2(mesh, static_cast<Index>(t));
+    area_mm2 += triangle_mm2;
+    if (longest_mm > 1.5 * interval_mm) coarse_mm2 += triangle_mm2;
+  }
+  return coarse_mm2 / area_mm2;
+}
+
 void note_surface(const Annulus& annulus, const IntervalField& intervals, std::vector<std::string>& notes) {
   notes.insert(notes.end(), annulus.notes.begin(), annulus.notes.end());
   if (annulus.centre_is_slit)
@@ -26,6 +44,11 @@ void note_surface(const Annulus& annulus, const IntervalField& intervals, std::v
   if (intervals.too_tight_share() > 0.0)
     notes.push_back(geometry::short_text(100.0 * intervals.too_tight_share(), 2) +
                     " % of the area is hollow and tighter than the cutter");
+  const double coarse = coarse_share(annulus.whole, intervals.rule().interval_mm(0.0));
+  if (coarse > 0.01)
+    notes.push_back(geometry::short_text(100.0 * coarse, 2) +
+                    " % of the area has triangles longer than 1.5 intervals: the map spaces passes evenly inside a "
+                    "triangle, scallops may be higher; refine the mesh or take method even");
 }
 
 }  // namespace
@@ -41,7 +64,8 @@ Result<CcPathResult> plan_guided_path(const geometry::TriangleMesh& surface, con
   const bool paper = options.method == Method::paper, spiral = options.strategy == Strategy::spiral;
   const auto field = paper ? paper_guide(*annulus, intervals) : periodic_guide(*annulus, intervals);
   if (!field) return tl::unexpected(field.error());
-  const GuideOptions guide{sense_of(options.cut_direction), options.start_P_mm, options.direction};
+  const GuideOptions guide{sense_of(options.cut_direction), options.start_P_mm, options.direction,
+                           0.25 * options.scallop_mm};
   auto path = spiral ? spiral_of(*annulus, *field, guide) : contours_of(*annulus, *field, guide);
   if (!path) return tl::unexpected(path.error());
   if (auto kept = keep_turns(path->stretches, options); !kept) return tl::unexpected(kept.error());

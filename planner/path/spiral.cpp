@@ -25,7 +25,8 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 /// Turns places on the ring's mesh into raw points on the nominal surface.
 class Placer {
  public:
-  Placer(const Annulus& annulus, const GuideField& field) : annulus_(annulus), field_(field) {}
+  Placer(const Annulus& annulus, const GuideField& field, double bulge_max_mm)
+      : annulus_(annulus), field_(field), bulge_max_mm_(bulge_max_mm) {}
 
   /// Eq. 15-17 on the edge's curve.
   [[nodiscard]] RawPoint operator()(const SurfacePoint& place) const {
@@ -35,11 +36,11 @@ class Placer {
     RawPoint raw;
     raw.normal = ((1.0 - place.t) * n + place.t * m).normalized();
     raw.turn = (1.0 - place.t) * field_.turns[at(place.a)] + place.t * field_.turns[at(place.b)];
-    if (n.dot(m) < crease_cosine) {
+    const EdgeCurve curve(p, q, n, m);
+    if (n.dot(m) < crease_cosine || (curve.point_mm(0.5) - 0.5 * (p + q)).norm() > bulge_max_mm_) {
       raw.point_mm = p + place.t * (q - p);
       return raw;
     }
-    const EdgeCurve curve(p, q, n, m);
     raw.point_mm = curve.point_mm(place.t);
     raw.edge_tangent = curve.derivative_mm(place.t).normalized();
     return raw;
@@ -48,6 +49,7 @@ class Placer {
  private:
   const Annulus& annulus_;
   const GuideField& field_;
+  double bulge_max_mm_;
 };
 
 /// Level lines of turns -+ around with the path's direction along them.
@@ -203,15 +205,15 @@ std::vector<RawPoint> place_all(const Placer& place, const std::vector<Index>& v
 
 /// The line at a constant coordinate around from the outer boundary to the inner one: where links run.
 Result<std::vector<RawPoint>> link_line(const Annulus& annulus, const MeshTopology& topology, const GuideField& field,
-                                        double offset) {
+                                        const GuideOptions& options) {
   std::vector<double> value = field.around.vertex;
   std::vector<std::array<double, 3>> jump = field.around.jump;
   for (auto& corners : jump)
     for (double& j : corners) j = -j;
-  const auto lines = trace_levels(annulus.ring, topology, {value, jump}, offset);
+  const auto lines = trace_levels(annulus.ring, topology, {value, jump}, link_offset(annulus, field, options));
   if (lines.empty() || lines.front().closed)
     return broken("no line runs from the outer boundary to the inner one", annulus.ring.vertices_mm[0]);
-  const Placer place(annulus, field);
+  const Placer place(annulus, field, options.bulge_max_mm);
   std::vector<RawPoint> link;
   for (const SurfacePoint& p : lines.front().points) link.push_back(place(p));
   if (link.front().turn > link.back().turn) std::reverse(link.begin(), link.end());
@@ -220,8 +222,8 @@ Result<std::vector<RawPoint>> link_line(const Annulus& annulus, const MeshTopolo
 
 /// All passes from outside in.
 std::vector<std::vector<RawPoint>> passes_of(const Annulus& annulus, const MeshTopology& topology,
-                                             const GuideField& field, Sense sense) {
-  const Placer place(annulus, field);
+                                             const GuideField& field, const GuideOptions& options) {
+  const Placer place(annulus, field, options.bulge_max_mm);
   std::vector<std::vector<RawPoint>> passes{place_all(place, annulus.outer)};
   auto lines = trace_levels(annulus.ring, topology, {field.turns, {}}, 0.0);
   std::erase_if(lines, [](const LevelLine& line) { return !line.closed; });
@@ -238,7 +240,7 @@ std::vector<std::vector<RawPoint>> passes_of(const Annulus& annulus, const MeshT
     for (const SurfacePoint& p : line.points) passes.back().push_back(place(p));
   }
   passes.push_back(place_all(place, annulus.inner));
-  if (sense == Sense::clockwise)
+  if (options.sense == Sense::clockwise)
     for (auto& pass : passes) std::reverse(pass.begin(), pass.end());
   return passes;
 }
@@ -261,7 +263,7 @@ Result<GuidePath> spiral_of(const Annulus& annulus, const GuideField& field, con
   path.lines_dropped = static_cast<int>(lines.size()) - 1;
   path.seam_crossings_mm = seam_crossings(annulus, spiral);
   draw_in_map(annulus, field, spiral, path.map_lines);
-  const Placer place(annulus, field);
+  const Placer place(annulus, field, options.bulge_max_mm);
   const double half_turn = options.sense == Sense::counter_clockwise ? 0.5 : -0.5;
   RawStretch whole;
   whole.points = place_all(place, outer.between(*start - half_turn, *start));
@@ -274,9 +276,9 @@ Result<GuidePath> spiral_of(const Annulus& annulus, const GuideField& field, con
 Result<GuidePath> contours_of(const Annulus& annulus, const GuideField& field, const GuideOptions& options) {
   const auto topology = MeshTopology::build(annulus.ring);
   if (!topology) return tl::unexpected(topology.error());
-  const auto link = link_line(annulus, *topology, field, link_offset(annulus, field, options));
+  const auto link = link_line(annulus, *topology, field, options);
   if (!link) return tl::unexpected(link.error());
-  const auto passes = passes_of(annulus, *topology, field, options.sense);
+  const auto passes = passes_of(annulus, *topology, field, options);
   GuidePath path;
   std::size_t link_at = 0;
   for (std::size_t i = 0; i < passes.size(); ++i) {

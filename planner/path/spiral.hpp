@@ -21,6 +21,10 @@ struct GuideOptions {
   Sense sense = Sense::counter_clockwise;
   std::optional<Vec3> start_P_mm;           ///< the path begins at the vertex of its first boundary nearest to it
   Direction direction = Direction::inward;  ///< outward: the first boundary is the inner one
+  /// Where the curve of an edge (eq. 15, 16) leaves the edge by more, the mesh is too coarse to tell the nominal
+  /// surface: the edge stands for itself, and the path stays on the mesh that was given. plan_guided_path: a quarter of
+  /// the scallop.
+  double bulge_max_mm = 0.05;
 };
 
 /// One spiral from the outer boundary to the inner one: half a turn along the outer boundary, the guide line of eq. 11,

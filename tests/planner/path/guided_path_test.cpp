@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "planner/path/cc_path.hpp"
+#include "planner/path/surface_locator.hpp"
 #include "sample_surfaces.hpp"
 
 namespace volute::planner {
@@ -223,6 +225,25 @@ TEST(GuidedPath, TheSameInputGivesTheSamePoints) {
   ASSERT_EQ(a->path.pieces[0].points.size(), b->path.pieces[0].points.size());
   for (std::size_t i = 0; i < a->path.pieces[0].points.size(); ++i)
     ASSERT_EQ(a->path.pieces[0].points[i].point_P_mm, b->path.pieces[0].points[i].point_P_mm);
+}
+
+TEST(GuidedPath, OnACoarseMeshThePathStaysOnTheMeshAndSaysSo) {
+  // A ball of radius 20 from edges of 5 mm: their curves (eq. 15) bulge by 0.16 mm, more than the scallop.
+  const TriangleMesh dome = samples::dome(20.0, 0.4, 24, 8);
+  const auto result = planned(dome, asked(Strategy::spiral, Method::periodic));
+  ASSERT_TRUE(result) << result.error().message;
+  std::vector<Vec3> normals;
+  for (const Vec3& v : dome.vertices_mm) normals.push_back(v.normalized());
+  const SurfaceLocator locator(dome, normals);
+  double farthest = 0.0;
+  for (const CcPoint& p : result->path.pieces[0].points) {
+    const auto hit = locator.nearest(p.point_P_mm, 1.0);
+    ASSERT_TRUE(hit);
+    farthest = std::max(farthest, (hit->point_mm - p.point_P_mm).norm());
+  }
+  EXPECT_LT(farthest, 0.1) << "the scallop; 0.32 with the edges' curves and a spline through edge crossings alone";
+  ASSERT_FALSE(result->report.notes.empty());
+  EXPECT_NE(result->report.notes.back().find("1.5 intervals"), std::string::npos) << result->report.notes.back();
 }
 
 TEST(PlanCcPath, SaysWhatIsWrongWithTheJob) {
