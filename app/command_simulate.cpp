@@ -82,7 +82,6 @@ Result<Simulated> simulate_one(const path& program, const Bench& bench, Context&
   request.progress = context.progress().callback();
   auto result = sim::verify(request);
   if (!result) return tl::unexpected(result.error());
-  context.warn(result->run.warnings);
   context.warn(texts(result->warnings));
   Simulated simulated{std::move(request.text), std::move(*result), {}};
   simulated.report["program"] = {{"file", program.filename().string()},

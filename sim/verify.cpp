@@ -43,7 +43,9 @@ class Stages {
 };
 
 ProgramReader reader(const VerifyRequest& request) {
-  return {request.text, request.file_name, request.profile.machine, request.profile.control};
+  ReaderOptions options;
+  options.work_zero_machine_mm = kinematics::program_zero(request.profile.machine, request.setup, 0.0).head<3>().eval();
+  return {request.text, request.file_name, request.profile.machine, request.profile.control, options};
 }
 
 Result<void> read_back(const VerifyRequest& request, VerifyResult& result) {
@@ -175,6 +177,8 @@ void gather_findings(const VerifyRequest& request, VerifyResult& result) {
   if (result.collision) take(result.collision->findings);
   take(result.loads.findings);
   result.warnings = result.loads.warnings;
+  for (const std::string& text : result.run.warnings)
+    result.warnings.push_back({"program", 0, 0.0, "", 0.0, 0.0, text});
   if (result.stock && result.stock->assumed)
     add_stock_warning(result.stock->report, result.warnings);
   else if (result.stock)

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <numbers>
+
+#include "sim/verify.hpp"
 
 namespace volute::sim {
 namespace {
@@ -86,6 +89,22 @@ TEST(ComparePoses, ALostPoseIsFoundAndOrderMatters) {
   const auto reversed = compare_poses(expected, commanded, {0.001, 0.001});
   EXPECT_EQ(reversed.size(), 20u);
   EXPECT_NE(reversed.back().text.find("more points"), std::string::npos);
+}
+
+// G10 L2 gives the work offset in machine coordinates, and what the control leaves open is told in the report.
+TEST(VerifyProgram, KnowsWhereTheSetupStandsAndTellsWarnings) {
+  VerifyRequest request;
+  request.profile = profile("ac-head-linuxcnc");
+  request.text =
+      "G21 G90 G94\nG10 L2 P1 X40 Y0 Z-900\nT1 M6\nG43 H1\nS1000 M3\nG0 X0 Y0 Z200 A0 C0\nG1 X50 F6000\nM2\n";
+  request.file_name = "g10.ngc";
+  const auto result = verify(request);
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_NEAR(result->run.axes[0].position_max, 90.0, 1e-6);
+  ASSERT_FALSE(result->run.warnings.empty());
+  const auto told = std::count_if(result->warnings.begin(), result->warnings.end(),
+                                  [](const Finding& warning) { return warning.kind == "program"; });
+  EXPECT_EQ(told, static_cast<std::ptrdiff_t>(result->run.warnings.size()));
 }
 
 }  // namespace
