@@ -107,6 +107,47 @@ TEST(FiveAxis, VectorsTurnOnTheGreatCircle) {
   EXPECT_LE((kinematics::tool_pose(machine, {}, 100.0, run.samples.back().position).axis_P - to).norm(), 1e-9);
 }
 
+/// How far the tool axis leaves the great circle between the ends of the second block.
+double off_great_circle(const kinematics::Control& control, const std::vector<MotionBlock>& blocks, AxisVector& end) {
+  const auto machine = head_machine();
+  const Ran run = run_blocks(machine, control, blocks);
+  const auto axis_at = [&](const AxisVector& q) { return kinematics::tool_pose(machine, {}, 100.0, q).axis_P; };
+  Vec3 from = Vec3::UnitZ();
+  for (const AxisSample& sample : run.samples)
+    if (sample.line == 1) from = axis_at(sample.position);
+  end = run.samples.back().position;
+  const Vec3 normal = from.cross(axis_at(end)).normalized();
+  double off = 0.0;
+  for (const AxisSample& sample : run.samples)
+    if (sample.line == 2) off = std::max(off, std::abs(axis_at(sample.position).dot(normal)));
+  return off;
+}
+
+// ORIVECT and ORIAXES, PATHCTRL VECTOR and AXIS: what the program says wins over what the control does by itself.
+TEST(FiveAxis, TheProgramsOwnInterpolationWins) {
+  using kinematics::OrientationInterpolation;
+  kinematics::Control axes = plain_control(), circle = plain_control();
+  circle.orientation_interpolation = OrientationInterpolation::great_circle;
+  std::vector<MotionBlock> words{line_to({0, 0, 0}, 20, 0.5, 0.2, true), line_to({5, 0, 0}, 20, 0.4, 1.4, true)};
+  for (MotionBlock& block : words) block.path_mode = PathMode::exact_stop;
+  AxisVector end;
+  EXPECT_GT(off_great_circle(axes, words, end), 0.03);
+  for (MotionBlock& block : words) block.orientation_interpolation = OrientationInterpolation::great_circle;
+  EXPECT_LT(off_great_circle(axes, words, end), 2e-3);
+  EXPECT_NEAR(end[3], 0.4, 1e-9);
+  EXPECT_NEAR(end[4], 1.4, 1e-9);
+  std::vector<MotionBlock> vectors = words;
+  const auto machine = head_machine();
+  for (MotionBlock& block : vectors) {
+    AxisVector q = AxisVector::Zero();
+    q.tail<2>() = Eigen::Vector2d(block.rotary_rad[0], block.rotary_rad[1]);
+    block.axis_vector = kinematics::tool_pose(machine, {}, 100.0, q).axis_P;
+  }
+  EXPECT_LT(off_great_circle(axes, vectors, end), 2e-3);
+  for (MotionBlock& block : vectors) block.orientation_interpolation = OrientationInterpolation::axes;
+  EXPECT_GT(off_great_circle(circle, vectors, end), 0.03);
+}
+
 TEST(FiveAxis, VectorThatNoRotaryReachesIsRefused) {
   auto machine = head_machine();
   machine.axes[4].direction_M = Vec3(0, 0.6, 0.8);  // a head whose C line leans: not every direction is within reach
