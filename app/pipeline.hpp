@@ -18,7 +18,7 @@
 namespace volute::app {
 
 /// Corners of the coloured mesh of a cut surface, at most.
-constexpr std::size_t picture_vertices_max = 300'000;
+constexpr std::size_t picture_vertices_max = 150'000;
 
 /// What a job names, read.
 struct JobInputs {

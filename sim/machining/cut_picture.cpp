@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "geometry/check.hpp"
 #include "geometry/mesh_measure.hpp"
@@ -13,6 +14,25 @@
 #include "sim/machining/swept_cutter.hpp"
 
 namespace volute::sim {
+
+namespace {
+
+/// The deviations of those corners that have none yet, up to a height.
+void measure_corners(const SweptCutter& swept, const std::array<Vec3, 3>& corners, const Vec3& normal, double height_mm,
+                     SweptCutter::Near& near, std::span<double> out) {
+  if (std::none_of(out.begin(), out.end(), [](double d) { return std::isnan(d); })) return;
+  const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+  double size = 0.0;
+  for (const Vec3& p : corners) size = std::max(size, (p - middle).norm());
+  swept.near(middle + 0.5 * height_mm * normal, std::hypot(size, 0.5 * height_mm) + 1e-9, near);
+  swept.keep_facing(normal, near);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!std::isnan(out[k])) continue;
+    if (const auto entry = swept.entry(corners[k], normal, height_mm, near)) out[k] = entry->height_mm;
+  }
+}
+
+}  // namespace
 
 std::array<unsigned char, 3> deviation_colour(double deviation_mm, double gouge_limit_mm, double uncut_limit_mm) {
   if (std::isnan(deviation_mm)) return {96, 96, 96};
@@ -39,24 +59,23 @@ CutPicture cut_picture(const geometry::TriangleMesh& surface, const kinematics::
   picture.mesh.triangles.resize(count);
   picture.deviation_mm.assign(3 * count, std::numeric_limits<double>::quiet_NaN());
   picture.colours.resize(3 * count);
+  // Most corners find their entry below the first height; the others are searched again up to the last.
+  const std::array<double, 2> heights{std::min(search, 1.5 * options.uncut_limit_mm), search};
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {
     SweptCutter::Near near;
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       const auto& patch = samples.patches()[i];
       const Cell cell = samples.patch_cell(patch);
-      const Vec3& normal = samples.normal(patch.triangle);
-      const Vec3 middle = cell.centroid() + 0.5 * search * normal;
-      const double size = std::max({(cell.a - cell.b).norm(), (cell.b - cell.c).norm(), (cell.c - cell.a).norm()});
-      swept.near(middle, std::hypot(size, 0.5 * search), near);
-      swept.keep_facing(normal, near);
+      const std::array<Vec3, 3> corners{cell.a, cell.b, cell.c};
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t v = 3 * i + k;
-        picture.mesh.vertices_mm[v] = k == 0 ? cell.a : k == 1 ? cell.b : cell.c;
-        picture.mesh.triangles[i][k] = static_cast<geometry::Index>(v);
-        if (const auto entry = swept.entry(picture.mesh.vertices_mm[v], normal, search, near))
-          picture.deviation_mm[v] = entry->height_mm;
-        picture.colours[v] = deviation_colour(picture.deviation_mm[v], options.gouge_limit_mm, options.uncut_limit_mm);
+        picture.mesh.vertices_mm[3 * i + k] = corners[k];
+        picture.mesh.triangles[i][k] = static_cast<geometry::Index>(3 * i + k);
       }
+      const std::span<double> out(&picture.deviation_mm[3 * i], 3);
+      for (const double height_mm : heights)
+        measure_corners(swept, corners, samples.normal(patch.triangle), height_mm, near, out);
+      for (std::size_t k = 0; k < 3; ++k)
+        picture.colours[3 * i + k] = deviation_colour(out[k], options.gouge_limit_mm, options.uncut_limit_mm);
     }
   });
   return picture;
