@@ -164,6 +164,20 @@ double Interference::Trees::slack_mm(const WatchedPair& pair, const Stand& at, d
   return 0.0;
 }
 
+bool Interference::Trees::is_clear(const WatchedPair& pair, const Stand& at, double by_mm) const {
+  using Kind = WatchedPair::Kind;
+  const auto shape_is_clear = [&](const PlacedShape& shape, const ToolPose& pose, const SphereTree& tree) {
+    return shape.is_ball ? shape_slack_mm(shape, pose, tree, by_mm) >= by_mm - distance_rounding_mm
+                         : tree.is_clear(cone_round(shape, pose), by_mm);
+  };
+  if (pair.kind == Kind::piece_body)
+    return shape_is_clear(pieces[pair.a].shape_for(bodies[pair.b]), at.pose, bodies[pair.b].tree);
+  if (pair.kind == Kind::piece_link)
+    return shape_is_clear(pieces[pair.a].at_others, seen_from(X_M_link(pair.b, at), setup.part_in_machine, at.pose),
+                          links[pair.b].tree);
+  return slack_mm(pair, at, by_mm + distance_rounding_mm) >= by_mm;
+}
+
 InterferenceHit Interference::Trees::names(const WatchedPair& pair) const {
   using Kind = WatchedPair::Kind;
   const bool of_tool = pair.kind == Kind::piece_body || pair.kind == Kind::piece_link;

@@ -129,9 +129,7 @@ class MotionCheck {
     const double share = 0.5 * (stretch.share_from + stretch.share_to);
     if (moved <= trees_.motion_tolerance_mm || depth >= halvings_max)
       return trees_.touches(pair, middle) ? std::optional(share) : std::nullopt;
-    const double slack = std::isfinite(moved) ? trees_.slack_mm(pair, middle, moved) : 0.0;
-    if (slack >= moved) return std::nullopt;
-    if (slack <= 0.0 && trees_.touches(pair, middle)) return share;
+    if (std::isfinite(moved) && trees_.is_clear(pair, middle, moved)) return std::nullopt;
     const bool with_links = pair.kind != WatchedPair::Kind::piece_body;
     for (const Stretch& half : stretch.halves(middle.pose, with_links ? middle.rotaries : RotaryPair{})) {
       if (const auto hit = follow(pair, half, stand_in_middle(half, with_links), depth + 1)) return hit;

@@ -78,6 +78,8 @@ struct Interference::Trees {
   [[nodiscard]] Stand stand(const kinematics::ToolPose& pose, const RotaryPair& rotaries) const;
   /// Exact (FCL): does the pair meet, or come nearer than it may?
   [[nodiscard]] bool touches(const WatchedPair& pair, const Stand& at) const;
+  /// Surely so far apart that either may move by_mm nearer: quicker than slack_mm.
+  [[nodiscard]] bool is_clear(const WatchedPair& pair, const Stand& at, double by_mm) const;
   /// A lower bound on how far the pair may come nearer, at most cap_mm; not above 0: nothing is known.
   [[nodiscard]] double slack_mm(const WatchedPair& pair, const Stand& at, double cap_mm) const;
   [[nodiscard]] InterferenceHit names(const WatchedPair& pair) const;

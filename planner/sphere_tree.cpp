@@ -194,7 +194,7 @@ void SphereTree::fill(std::size_t node, std::span<int> order, int first, const s
 
 double SphereTree::clearance_mm(const AxialCone& cone, double cap_mm) const {
   double best = cap_mm;
-  if (nodes_.empty()) return best;
+  if (nodes_.empty() || cone_gap_mm(cone) >= cap_mm) return best;
   const auto bound = [&](int n) {
     const Node& node = nodes_[static_cast<std::size_t>(n)];
     return distance_bound_mm(cone, node.centre_mm) - node.radius_mm;
@@ -217,8 +217,15 @@ double SphereTree::clearance_mm(const AxialCone& cone, double cap_mm) const {
   return best;
 }
 
+bool SphereTree::triangle_is_clear(const AxialCone& cone, std::size_t triangle, double by_mm) const {
+  const Corners& t = corners_[triangle];
+  double clear = by_mm;
+  lower_bound_mm(cone, {t.a, t.b, t.c}, leaf_halvings, clear);
+  return clear >= by_mm;
+}
+
 bool SphereTree::any_meets(const AxialCone& cone, bool cone_is_shape, const TriangleTest& meets) const {
-  if (nodes_.empty()) return false;
+  if (nodes_.empty() || cone_gap_mm(cone) > rounding_mm) return false;
   const auto bound = [&](int n) {
     const Node& node = nodes_[static_cast<std::size_t>(n)];
     return distance_bound_mm(cone, node.centre_mm) - node.radius_mm;
@@ -232,9 +239,8 @@ bool SphereTree::any_meets(const AxialCone& cone, bool cone_is_shape, const Tria
     const double least =
         std::min({distance_bound_mm(cone, t.a), distance_bound_mm(cone, t.b), distance_bound_mm(cone, t.c)});
     if (least <= 0.0 && cone_is_shape) return true;
-    double clear = rounding_mm;
-    if (least > 0.0) lower_bound_mm(cone, {t.a, t.b, t.c}, leaf_halvings, clear);
-    return (least <= 0.0 || clear < rounding_mm) && meets(t.a, t.b, t.c);
+    const bool clear = least > 0.0 && triangle_is_clear(cone, static_cast<std::size_t>(k), rounding_mm);
+    return !clear && meets(t.a, t.b, t.c);
   };
   Stack stack;
   stack.push(0, bound(0));

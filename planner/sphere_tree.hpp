@@ -39,6 +39,10 @@ class SphereTree {
   /// eighth of the size of a triangle. An empty mesh: cap_mm.
   [[nodiscard]] double clearance_mm(const AxialCone& cone, double cap_mm) const;
 
+  /// Is every point of the mesh surely farther from the cone than `by_mm`? As clearance_mm(cone, by_mm) >= by_mm, but
+  /// it ends at the first triangle that cannot be told clear.
+  [[nodiscard]] bool is_clear(const AxialCone& cone, double by_mm) const;
+
   /// Does any triangle meet a shape that lies within the cone? Triangles that stand clear of the cone do not; where the
   /// cone is the shape itself a triangle with a corner or its middle inside does; `meets` is asked of the others.
   using TriangleTest = std::function<bool(const Vec3& a_mm, const Vec3& b_mm, const Vec3& c_mm)>;
@@ -80,6 +84,9 @@ class SphereTree {
   };
 
   void fill(std::size_t node, std::span<int> order, int first, const std::vector<Corners>& all);
+  /// A lower bound on the distance of the cone and the box round the mesh; not above 0 when they meet.
+  [[nodiscard]] double cone_gap_mm(const AxialCone& cone) const;
+  [[nodiscard]] bool triangle_is_clear(const AxialCone& cone, std::size_t triangle, double by_mm) const;
   [[nodiscard]] int crossings(const Vec3& from, const Vec3& direction) const;
 
   std::vector<Node> nodes_;
