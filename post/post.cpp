@@ -1,6 +1,7 @@
 #include "post/post.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "geometry/number_text.hpp"
 #include "post/program.hpp"
@@ -39,8 +40,11 @@ ToolPathPoint above(const ToolPathPoint& point, MoveKind move) {
   return lifted;
 }
 
-// A path that starts at feed is approached along its axis, and one that ends in the cut is left so.
-ToolPath with_safe_ends(const ToolPath& path) {
+// A path that starts at feed is approached along its axis, and one that ends in the cut is left so. Nothing: the path
+// does both itself.
+std::optional<ToolPath> with_safe_ends(const ToolPath& path) {
+  const MoveKind first = path.points.front().move, end = path.points.back().move;
+  if (first == MoveKind::rapid && (end == MoveKind::rapid || end == MoveKind::retract)) return std::nullopt;
   ToolPath safe;
   safe.points.reserve(path.points.size() + 2);
   const ToolPathPoint& last = path.points.back();
@@ -72,7 +76,8 @@ kinematics::AxisPathOptions options_for(const PostRequest& request, const kinema
 
 Result<PostResult> post(const PostRequest& request, const kinematics::Profile& profile) {
   if (auto checked = check(request); !checked) return tl::unexpected(checked.error());
-  const ToolPath path = with_safe_ends(request.path);
+  const std::optional<ToolPath> made_safe = with_safe_ends(request.path);
+  const ToolPath& path = made_safe ? *made_safe : request.path;
   auto solved =
       kinematics::solve_path(profile.machine, request.setup, request.tool, path, options_for(request, profile.control));
   if (!solved) return tl::unexpected(solved.error());
