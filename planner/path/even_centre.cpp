@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <queue>
 
 #include "geometry/mesh_measure.hpp"
@@ -66,65 +67,116 @@ class CentreSearch {
     std::vector<Index> all;
     for (const auto& loop : loops) all.insert(all.end(), loop.vertices.begin(), loop.vertices.end());
     room_mm_ = distance_mm(coarse.mesh, all);
-    deepest_mm_ = 0.0;
+    const double interval_mm = rule.interval_mm(0.0), roomiest_mm = *std::max_element(room_mm_.begin(), room_mm_.end());
+    room_least_mm_ = std::max(0.5 * interval_mm, std::min(1.5 * interval_mm, 0.5 * roomiest_mm));
     for (Index v = 0; v < static_cast<Index>(depth_mm_.size()); ++v) {
       if (usable(v)) deepest_mm_ = std::max(deepest_mm_, depth_mm_[at(v)]);
     }
   }
 
-  [[nodiscard]] Scored run() const {
+  /// Every centre that was grown, with every number of arms; the best comes first.
+  [[nodiscard]] std::vector<Scored> run() const {
     std::vector<Centre> first;
     for (Index loop = 1; loop < static_cast<Index>(coarse_.topology.boundary_loops().size()); ++loop)
-      first.emplace_back(loop);
-    const std::vector<Index> deep = deep_points();
+      first.push_back({loop, {}});
+    const std::vector<Index> deep = far_points({}, 0.6, options_.deep_points);
     for (std::size_t i = 0; i < deep.size(); ++i) {
-      for (std::size_t j = i + 1; j < deep.size(); ++j) first.emplace_back(Slit{deep[i], deep[j]});
+      for (std::size_t j = i + 1; j < deep.size(); ++j) first.push_back({geometry::no_index, {{deep[i], deep[j]}}});
     }
     std::vector<Scored> scored = scores(first);
     std::stable_sort(scored.begin(), scored.end(), [](const Scored& a, const Scored& b) { return a.score < b.score; });
-    if (scored.empty()) return {};
-    Scored best = scored.front();
-    int started = 0;
+    std::vector<Scored> found;
+    int slits = 0, loops = 0;
     for (const Scored& s : scored) {
-      if (!std::holds_alternative<Slit>(s.centre) || started == options_.starts) continue;
+      int& started = s.centre.has_loop() ? loops : slits;
+      if (!(s.score < hopeless) || started == (s.centre.has_loop() ? options_.loop_starts : options_.starts)) continue;
       ++started;
-      const Scored moved = moved_ends(s);
-      if (moved.score < best.score) best = moved;
+      found.push_back(moved_ends(s));
+      for (int arm = 0; arm < options_.arms_max; ++arm) {
+        const Scored more = one_arm_more(found.back());
+        if (!(more.score < (1.0 - options_.arm_gain_min) * found.back().score)) break;
+        found.push_back(moved_ends(more));
+      }
     }
-    return best;
+    std::stable_sort(found.begin(), found.end(), [](const Scored& a, const Scored& b) { return a.score < b.score; });
+    return found;
   }
 
  private:
-  /// A slit's end keeps off every boundary: the loops around it need room.
+  /// A slit's end keeps off every boundary: the turns around it need room, as much as there is in narrow parts.
   [[nodiscard]] bool usable(Index v) const {
-    return !coarse_.topology.is_boundary_vertex(v) && room_mm_[at(v)] >= 0.5 * rule_.interval_mm(0.0);
+    return !coarse_.topology.is_boundary_vertex(v) && room_mm_[at(v)] >= room_least_mm_;
   }
 
-  /// Points far from the outer boundary, each as far as can be from the others.
-  [[nodiscard]] std::vector<Index> deep_points() const {
-    constexpr double depth_share_min = 0.6;
+  /// Points at least `depth_share_min` as far from the outer boundary as the deepest one, each as far as can be from
+  /// those before it and from `from`; the deepest comes first where there is no `from`.
+  [[nodiscard]] std::vector<Index> far_points(const std::vector<Index>& from, double depth_share_min, int count) const {
     std::vector<Index> pool;
-    Index deepest = geometry::no_index;
     for (Index v = 0; v < static_cast<Index>(depth_mm_.size()); ++v) {
-      if (!usable(v) || depth_mm_[at(v)] < depth_share_min * deepest_mm_) continue;
-      pool.push_back(v);
-      if (deepest == geometry::no_index || depth_mm_[at(v)] > depth_mm_[at(deepest)]) deepest = v;
+      if (usable(v) && depth_mm_[at(v)] >= depth_share_min * deepest_mm_) pool.push_back(v);
+    }
+    const auto place = [&](Index v) -> const Vec3& { return coarse_.mesh.vertices_mm[at(v)]; };
+    std::vector<double> far(pool.size(), hopeless);
+    for (std::size_t i = 0; i < pool.size(); ++i) {
+      for (Index v : from) far[i] = std::min(far[i], (place(pool[i]) - place(v)).norm());
     }
     std::vector<Index> out;
-    std::vector<double> far(pool.size(), hopeless);
-    for (Index next = deepest; next != geometry::no_index && static_cast<int>(out.size()) < options_.deep_points;) {
-      out.push_back(next);
-      double farthest = 0.0;
-      next = geometry::no_index;
-      for (std::size_t i = 0; i < pool.size(); ++i) {
-        far[i] =
-            std::min(far[i], (coarse_.mesh.vertices_mm[at(pool[i])] - coarse_.mesh.vertices_mm[at(out.back())]).norm());
-        if (far[i] <= farthest) continue;
-        farthest = far[i];
-        next = pool[i];
+    while (static_cast<int>(out.size()) < count && !pool.empty()) {
+      const auto better = [&](std::size_t a, std::size_t b) {
+        return far[a] != far[b] ? far[a] > far[b] : depth_mm_[at(pool[a])] > depth_mm_[at(pool[b])];
+      };
+      std::size_t next = 0;
+      for (std::size_t i = 1; i < pool.size(); ++i) next = better(i, next) ? i : next;
+      if (!(far[next] > 0.0)) break;
+      out.push_back(pool[next]);
+      for (std::size_t i = 0; i < pool.size(); ++i)
+        far[i] = std::min(far[i], (place(pool[i]) - place(out.back())).norm());
+    }
+    return out;
+  }
+
+  /// Ends of the arms, and the loop's vertices where the centre has one.
+  [[nodiscard]] std::vector<Index> nodes_of(const Centre& centre) const {
+    std::vector<Index> out;
+    if (centre.has_loop()) out = coarse_.topology.boundary_loops()[at(centre.loop)].vertices;
+    for (const Arm& arm : centre.arms) {
+      for (Index v : {arm.from, arm.to}) {
+        if (std::find(out.begin(), out.end(), v) == out.end()) out.push_back(v);
       }
     }
     return out;
+  }
+
+  /// The best centre with an arm more, from what is there to a far point. A single slit may be met in its middle.
+  [[nodiscard]] Scored one_arm_more(const Scored& best) const {
+    std::vector<Centre> more;
+    std::vector<Centre> bases = {best.centre};
+    if (const auto bent = with_middle(best.centre)) bases.push_back(*bent);
+    for (const Centre& base : bases) {
+      const std::vector<Index> nodes = nodes_of(base);
+      for (Index target : far_points(nodes, 0.3, options_.arm_targets)) {
+        const auto off = [&](Index v) {
+          return (coarse_.mesh.vertices_mm[at(v)] - coarse_.mesh.vertices_mm[at(target)]).squaredNorm();
+        };
+        const Index from =
+            *std::min_element(nodes.begin(), nodes.end(), [&](Index a, Index b) { return off(a) < off(b); });
+        more.push_back(base);
+        more.back().arms.push_back({from, target});
+      }
+    }
+    const std::vector<Scored> scored = scores(more);
+    if (scored.empty()) return {};
+    return *std::min_element(scored.begin(), scored.end(),
+                             [](const Scored& a, const Scored& b) { return a.score < b.score; });
+  }
+
+  /// A single slit as two arms from its middle.
+  [[nodiscard]] std::optional<Centre> with_middle(const Centre& centre) const {
+    if (centre.has_loop() || centre.arms.size() != 1) return {};
+    const Arm& arm = centre.arms.front();
+    const Index middle = nearest(0.5 * (coarse_.mesh.vertices_mm[at(arm.from)] + coarse_.mesh.vertices_mm[at(arm.to)]));
+    if (middle == arm.from || middle == arm.to) return {};
+    return Centre{geometry::no_index, {{middle, arm.from}, {middle, arm.to}}};
   }
 
   [[nodiscard]] std::vector<Scored> scores(const std::vector<Centre>& centres) const {
@@ -135,7 +187,6 @@ class CentreSearch {
 
   /// The path length that the field promises, mm.
   [[nodiscard]] double score(const Centre& centre) const {
-    constexpr double settled_share = 0.93;  // of the needed gradient, reached on all but 0.5 % of the path
     constexpr double surcharge_pieces = 1.2;
     const auto domain = even_domain(coarse_, centre);
     if (!domain) return hopeless;
@@ -144,24 +195,8 @@ class CentreSearch {
     EvenField field = solver->start();
     const std::vector<double> gain(domain->mesh.triangles.size(), 1.0);
     solver->improve(field, gain, options_.outer, options_.inner);
-    const auto slopes = solver->slopes(field);
-    double length = 0.5 * (domain->outer.length_mm + domain->centre.length_mm), along = 0.0;
-    std::vector<std::pair<double, double>> reached;  // of the needed gradient, and the path length there
-    for (std::size_t t = 0; t < slopes.size(); ++t) {
-      const double slope = slopes[t].norm(), part = domain->operators[t].area_mm2 * slope;
-      const Vec3 direction = domain->operators[t].to_space(slopes[t] / std::max(slope, 1e-12));
-      reached.emplace_back(slope * domain->interval_mm(rule_, static_cast<Index>(t), direction), part);
-      along += part;
-    }
-    std::sort(reached.begin(), reached.end());
-    double passed = 0.0, share = 1.0;
-    for (const auto& [ratio, part] : reached) {
-      passed += part;
-      share = ratio;
-      if (passed >= 0.005 * along) break;
-    }
-    length = (length + along) / std::min(1.0, std::max(share, 0.05) / settled_share);
-    return even_path(*domain, field).pieces == 1 ? length : surcharge_pieces * length;
+    const double length_mm = promised_length_mm(*domain, rule_, solver->slopes(field));
+    return even_path(*domain, field, rule_.interval_mm(0.0)).pieces == 1 ? length_mm : surcharge_pieces * length_mm;
   }
 
   /// The usable vertex nearest to a place.
@@ -188,7 +223,7 @@ class CentreSearch {
       bool moved = true;
       while (moved && tried < options_.moves_max) {
         moved = false;
-        const std::vector<Centre> moves = moves_of(std::get<Slit>(best.centre), step_mm);
+        const std::vector<Centre> moves = moves_of(best.centre, step_mm);
         for (std::size_t begin = 0; begin < moves.size() && !moved; begin += batch) {
           const auto end = std::min(begin + batch, moves.size());
           const auto some = scores(
@@ -205,18 +240,24 @@ class CentreSearch {
     return best;
   }
 
-  [[nodiscard]] std::vector<Centre> moves_of(const Slit& slit, double step_mm) const {
+  [[nodiscard]] std::vector<Centre> moves_of(const Centre& centre, double step_mm) const {
     std::vector<Centre> out;
-    for (bool first : {true, false}) {
-      const Index from = first ? slit.from : slit.to;
-      const Vec3 normal = coarse_.vertex_normals[at(from)];
+    for (Index node : nodes_of({geometry::no_index, centre.arms})) {
+      if (coarse_.topology.is_boundary_vertex(node)) continue;
+      const Vec3 normal = coarse_.vertex_normals[at(node)];
       const Vec3 u = normal.unitOrthogonal(), w = normal.cross(u);
       for (int k = 0; k < 6; ++k) {
         const double angle = k * std::numbers::pi / 3.0;
         const Index to =
-            nearest(coarse_.mesh.vertices_mm[at(from)] + step_mm * (std::cos(angle) * u + std::sin(angle) * w));
-        const Slit moved = first ? Slit{to, slit.to} : Slit{slit.from, to};
-        if (moved.from != moved.to && to != from) out.emplace_back(moved);
+            nearest(coarse_.mesh.vertices_mm[at(node)] + step_mm * (std::cos(angle) * u + std::sin(angle) * w));
+        Centre moved = centre;
+        for (Arm& arm : moved.arms) {
+          if (arm.from == node) arm.from = to;
+          if (arm.to == node) arm.to = to;
+        }
+        const auto no_length = [](const Arm& arm) { return arm.from == arm.to; };
+        if (to == node || std::any_of(moved.arms.begin(), moved.arms.end(), no_length)) continue;
+        out.push_back(std::move(moved));
       }
     }
     return out;
@@ -226,7 +267,7 @@ class CentreSearch {
   IntervalRule rule_;
   CentreSearchOptions options_;
   std::vector<double> depth_mm_, room_mm_;  ///< from the outer boundary; from any boundary
-  double deepest_mm_ = 0.0;
+  double deepest_mm_ = 0.0, room_least_mm_ = 0.0;
 };
 
 /// The vertex nearest to a place; off the boundaries where asked.
@@ -244,6 +285,27 @@ Index nearest_vertex(const EvenSurface& surface, const Vec3& place, bool inside)
 
 }  // namespace
 
+double promised_length_mm(const EvenDomain& domain, const IntervalRule& rule, std::span<const Vec2> slopes) {
+  constexpr double settled_share = 0.93;  // of the needed gradient, reached on all but 0.5 % of the path
+  double along_mm = 0.0;
+  std::vector<std::pair<double, double>> reached;  // of the needed gradient, and the path length there
+  for (std::size_t t = 0; t < slopes.size(); ++t) {
+    const double slope = slopes[t].norm(), part_mm = domain.operators[t].area_mm2 * slope;
+    const Vec3 direction = domain.operators[t].to_space(slopes[t] / std::max(slope, 1e-12));
+    reached.emplace_back(slope * domain.interval_mm(rule, static_cast<Index>(t), direction), part_mm);
+    along_mm += part_mm;
+  }
+  std::sort(reached.begin(), reached.end());
+  double passed_mm = 0.0, share = 1.0;
+  for (const auto& [ratio, part_mm] : reached) {
+    passed_mm += part_mm;
+    share = ratio;
+    if (passed_mm >= 0.005 * along_mm) break;
+  }
+  const double ends_mm = 0.5 * (domain.outer.length_mm + domain.centre.length_mm);
+  return (ends_mm + along_mm) / std::min(1.0, std::max(share, 0.05) / settled_share);
+}
+
 Result<EvenSurface> coarse_surface(const EvenSurface& surface, int triangles) {
   const double edge_mm = 1.25 * std::sqrt(geometry::area_mm2(surface.mesh) / triangles);
   const CoarseMesh coarse = coarser(surface.mesh, edge_mm, 0.1 * edge_mm);
@@ -253,22 +315,27 @@ Result<EvenSurface> coarse_surface(const EvenSurface& surface, int triangles) {
 }
 
 Centre moved_centre(const EvenSurface& from, const Centre& centre, const EvenSurface& to) {
-  if (const Slit* slit = std::get_if<Slit>(&centre)) {
-    return Slit{nearest_vertex(to, from.mesh.vertices_mm[at(slit->from)], true),
-                nearest_vertex(to, from.mesh.vertices_mm[at(slit->to)], true)};
+  Centre out;
+  for (const Arm& arm : centre.arms) {
+    const auto moved = [&](Index v) {
+      return nearest_vertex(to, from.mesh.vertices_mm[at(v)], !from.topology.is_boundary_vertex(v));
+    };
+    const Arm there{moved(arm.from), moved(arm.to)};
+    if (there.from != there.to) out.arms.push_back(there);
   }
-  const auto& loop = from.topology.boundary_loops()[at(std::get<Index>(centre))];
+  if (!centre.has_loop()) return out;
+  const auto& loop = from.topology.boundary_loops()[at(centre.loop)];
   const Index vertex = nearest_vertex(to, from.mesh.vertices_mm[at(loop.vertices.front())], false);
   const auto& loops = to.topology.boundary_loops();
   for (Index l = 1; l < static_cast<Index>(loops.size()); ++l) {
     const auto& v = loops[at(l)].vertices;
-    if (std::find(v.begin(), v.end(), vertex) != v.end()) return l;
+    if (std::find(v.begin(), v.end(), vertex) != v.end()) out.loop = l;
   }
-  return centre;
+  return out;
 }
 
-Result<Centre> choose_centre(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options,
-                             const CentreSearchOptions& search) {
+Result<std::vector<Centre>> choose_centres(const EvenSurface& surface, const IntervalRule& rule,
+                                           const PathOptions& options, const CentreSearchOptions& search) {
   const auto loops = static_cast<int>(surface.topology.boundary_loops().size());
   if (options.centre_loop >= loops || options.centre_loop == 0) {
     return geometry::bad_input("path-centre-loop", "path.centre_loop = " + std::to_string(options.centre_loop) +
@@ -276,16 +343,18 @@ Result<Centre> choose_centre(const EvenSurface& surface, const IntervalRule& rul
                                                        std::to_string(loops - 1) +
                                                        "; leave the key out to have a centre chosen");
   }
-  if (options.centre_loop > 0) return Centre(Index{options.centre_loop});
+  if (options.centre_loop > 0) return std::vector<Centre>{{Index{options.centre_loop}, {}}};
   const auto coarse = coarse_surface(surface, search.triangles);
   if (!coarse) return tl::unexpected(coarse.error());
-  const Scored best = CentreSearch(*coarse, rule, search).run();
-  if (!(best.score < hopeless)) {
+  const std::vector<Scored> found = CentreSearch(*coarse, rule, search).run();
+  if (found.empty()) {
     return geometry::bad_input(
         "surface-too-coarse",
         "no inner vertex has half a path interval of room around it: refine the mesh or lower the scallop");
   }
-  return moved_centre(*coarse, best.centre, surface);
+  std::vector<Centre> out;
+  for (const Scored& s : found) out.push_back(moved_centre(*coarse, s.centre, surface));
+  return out;
 }
 
 }  // namespace volute::planner

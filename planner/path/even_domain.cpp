@@ -1,7 +1,9 @@
 #include "planner/path/even_domain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 #include "geometry/check.hpp"
 #include "geometry/mesh_measure.hpp"
@@ -18,37 +20,89 @@ using geometry::MeshTopology;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
+/// The surface while arms are laid into it, one after another.
 struct Opened {
   TriangleMesh mesh;
   std::vector<Vec3> normals;
   std::vector<Mat3> curvature;
-  std::vector<Index> slit;  ///< vertices before cutting
+  std::vector<std::vector<Index>> slits;
 };
 
-Result<Opened> open_along(const EvenSurface& surface, const Slit& slit) {
-  const auto path = bridge_path(surface.mesh, surface.topology, surface.vertex_normals, slit.from, slit.to);
-  if (!path) return tl::unexpected(path.error());
-  if (path->path.size() < 3) {
+using EdgeSet = std::set<std::array<Index, 2>>;
+
+std::array<Index, 2> edge_of(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// The part of an arm's path behind the last point that lies on what is cut already. Where that point lies inside a cut
+/// edge the arm starts at the end of it that does not share an edge with the next point.
+SurfacePath behind_last_touch(const SurfacePath& path, const std::set<Index>& cut_vertices, const EdgeSet& cut_edges) {
+  for (std::size_t i = path.size() - 1; i-- > 0;) {
+    const SurfacePoint& p = path[i];
+    const SurfacePoint& next = path[i + 1];
+    const bool crosses = !p.is_vertex() && cut_edges.contains(edge_of(p.a, p.b));
+    if (!crosses && !(p.is_vertex() && cut_vertices.contains(p.a))) continue;
+    SurfacePath out{p};
+    if (crosses) out.front() = SurfacePoint::vertex(next.touches(p.a) ? p.b : p.a);
+    out.insert(out.end(), path.begin() + static_cast<std::ptrdiff_t>(i) + 1, path.end());
+    return out;
+  }
+  return path;
+}
+
+/// Lays one arm into the mesh; nothing is cut yet.
+Result<void> lay_arm(Opened& opened, const Arm& arm, std::set<Index>& cut_vertices, EdgeSet& cut_edges) {
+  if (cut_vertices.contains(arm.to))
+    return {};  // an earlier arm runs through it: a second way there would close a ring
+  const auto topology = MeshTopology::build(opened.mesh);
+  if (!topology) return tl::unexpected(topology.error());
+  const auto bridge = bridge_path(opened.mesh, *topology, opened.normals, arm.from, arm.to);
+  if (!bridge) return tl::unexpected(bridge.error());
+  const SurfacePath path = behind_last_touch(bridge->path, cut_vertices, cut_edges);
+  MeshWithPath laid = insert_path(opened.mesh, path);
+  opened.normals.resize(laid.mesh.vertices_mm.size());
+  for (std::size_t i = 0; i < laid.vertices.size(); ++i) {
+    const SurfacePoint& p = path[i];
+    if (p.is_vertex()) continue;
+    opened.normals[at(laid.vertices[i])] =
+        ((1.0 - p.t) * opened.normals[at(p.a)] + p.t * opened.normals[at(p.b)]).normalized();
+  }
+  std::vector<Mat3> curvature;
+  for (Index parent : laid.parent) curvature.push_back(opened.curvature[at(parent)]);
+  opened.curvature = std::move(curvature);
+  opened.mesh = std::move(laid.mesh);
+  for (std::size_t i = 0; i < laid.vertices.size(); ++i) {
+    cut_vertices.insert(laid.vertices[i]);
+    if (i > 0) cut_edges.insert(edge_of(laid.vertices[i - 1], laid.vertices[i]));
+  }
+  opened.slits.push_back(std::move(laid.vertices));
+  return {};
+}
+
+/// The surface cut open along all arms of the centre.
+Result<Opened> open_along(const EvenSurface& surface, const Centre& centre) {
+  Opened out{surface.mesh, surface.vertex_normals, surface.curvature, {}};
+  std::set<Index> cut_vertices;
+  EdgeSet cut_edges;
+  if (centre.has_loop()) {
+    const auto& loop = surface.topology.boundary_loops()[at(centre.loop)].vertices;
+    cut_vertices.insert(loop.begin(), loop.end());
+  }
+  for (const Arm& arm : centre.arms) {
+    VOLUTE_CHECK(arm.from != arm.to, arm.from);
+    if (auto laid = lay_arm(out, arm, cut_vertices, cut_edges); !laid) return tl::unexpected(laid.error());
+  }
+  if (!centre.has_loop() && cut_edges.size() < 2) {
     return geometry::bad_input("surface-slit-short",
-                               "vertices " + std::to_string(slit.from) + " and " + std::to_string(slit.to) +
+                               "vertices " + std::to_string(centre.arms.front().from) + " and " +
+                                   std::to_string(centre.arms.front().to) +
                                    " are neighbours: a slit needs two edges to open; refine the mesh there");
   }
-  MeshWithPath laid = insert_path(surface.mesh, path->path);
-  const auto topology = MeshTopology::build(laid.mesh);
+  const auto topology = MeshTopology::build(out.mesh);
   if (!topology) return tl::unexpected(topology.error());
-  std::vector<Vec3> normals = surface.vertex_normals;
-  normals.resize(laid.mesh.vertices_mm.size());
-  for (std::size_t i = 0; i < laid.vertices.size(); ++i) {
-    const SurfacePoint& p = path->path[i];
-    if (p.is_vertex()) continue;
-    normals[at(laid.vertices[i])] =
-        ((1.0 - p.t) * surface.vertex_normals[at(p.a)] + p.t * surface.vertex_normals[at(p.b)]).normalized();
-  }
-  const std::array<std::vector<Index>, 1> chains = {laid.vertices};
-  CutMesh cut = cut_open(laid.mesh, *topology, chains);
-  Opened out{std::move(cut.mesh), {}, {}, laid.vertices};
-  for (Index original : cut.original) out.normals.push_back(normals[at(original)]);
-  for (Index parent : laid.parent) out.curvature.push_back(surface.curvature[at(parent)]);
+  CutMesh cut = cut_open(out.mesh, *topology, out.slits);
+  std::vector<Vec3> normals;
+  for (Index original : cut.original) normals.push_back(out.normals[at(original)]);
+  out.mesh = std::move(cut.mesh);
+  out.normals = std::move(normals);
   return out;
 }
 
@@ -57,15 +111,16 @@ bool holds_any(const BoundaryLoop& loop, const std::vector<char>& marked) {
 }
 
 /// Names the loops by what they were on the surface: the outer one and the centre by their vertices.
-void assign_loops(const EvenSurface& surface, const Centre& centre, const std::vector<Index>& slit,
-                  EvenDomain& domain) {
+void assign_loops(const EvenSurface& surface, const Centre& centre, EvenDomain& domain) {
   const auto& before = surface.topology.boundary_loops();
   std::vector<char> is_outer(domain.mesh.vertices_mm.size(), 0), is_centre(domain.mesh.vertices_mm.size(), 0);
   for (Index v : before[0].vertices) is_outer[at(v)] = 1;
-  if (const Index* loop = std::get_if<Index>(&centre)) {
-    for (Index v : before[at(*loop)].vertices) is_centre[at(v)] = 1;
+  if (centre.has_loop()) {
+    for (Index v : before[at(centre.loop)].vertices) is_centre[at(v)] = 1;
   }
-  for (Index v : slit) is_centre[at(v)] = 1;
+  for (const auto& slit : domain.slits) {
+    for (Index v : slit) is_centre[at(v)] = 1;
+  }
   for (const BoundaryLoop& loop : domain.topology.boundary_loops()) {
     if (holds_any(loop, is_outer)) {
       domain.outer = loop;
@@ -141,23 +196,19 @@ Result<EvenSurface> EvenSurface::refined(double edge_max_mm) const {
 
 Result<EvenDomain> even_domain(const EvenSurface& surface, const Centre& centre, double ramp_share) {
   VOLUTE_CHECK(ramp_share > 0.0 && ramp_share <= 1.0, ramp_share);
-  Opened opened{surface.mesh, surface.vertex_normals, surface.curvature, {}};
-  if (const Slit* slit = std::get_if<Slit>(&centre)) {
-    VOLUTE_CHECK(slit->from != slit->to, slit->from);
-    auto cut = open_along(surface, *slit);
-    if (!cut) return tl::unexpected(cut.error());
-    opened = std::move(*cut);
-  }
-  auto topology = MeshTopology::build(opened.mesh);
+  VOLUTE_CHECK(centre.has_loop() || !centre.arms.empty(), centre.loop, centre.arms.size());
+  auto opened = open_along(surface, centre);
+  if (!opened) return tl::unexpected(opened.error());
+  auto topology = MeshTopology::build(opened->mesh);
   if (!topology) return tl::unexpected(topology.error());
   EvenDomain out;
-  for (Index v : opened.slit) out.slit_P.push_back(opened.mesh.vertices_mm[at(v)]);
-  out.mesh = std::move(opened.mesh);
+  out.slits = std::move(opened->slits);
+  out.mesh = std::move(opened->mesh);
   out.topology = std::move(*topology);
-  out.vertex_normals = std::move(opened.normals);
-  out.curvature = std::move(opened.curvature);
+  out.vertex_normals = std::move(opened->normals);
+  out.curvature = std::move(opened->curvature);
   out.operators = triangle_operators(out.mesh);
-  assign_loops(surface, centre, opened.slit, out);
+  assign_loops(surface, centre, out);
   VOLUTE_CHECK(!out.outer.vertices.empty() && !out.centre.vertices.empty(), out.outer.vertices.size(),
                out.centre.vertices.size());
   auto seam = seam_between(out.mesh, out.topology, out.outer, out.centre);

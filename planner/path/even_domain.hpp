@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <variant>
 #include <vector>
 
 #include "geometry/mesh.hpp"
@@ -27,12 +26,17 @@ struct EvenSurface {
   [[nodiscard]] Result<EvenSurface> refined(double edge_max_mm) const;
 };
 
-/// A slit between two inner vertices.
-struct Slit {
+/// A cut between two vertices; `to` lies inside.
+struct Arm {
   Index from = geometry::no_index, to = geometry::no_index;
 };
-/// Where the spiral ends: boundary loop (by falling length, not 0) or slit.
-using Centre = std::variant<Index, Slit>;
+/// Where the spiral ends: a boundary loop, a tree of slits, or a loop with slits growing out of it.
+struct Centre {
+  Index loop = geometry::no_index;  ///< boundary loop, by falling length, not 0
+  std::vector<Arm> arms;            ///< each starts where an earlier one starts or ends, or on the loop
+
+  [[nodiscard]] bool has_loop() const { return loop != geometry::no_index; }
+};
 
 /// What the field lives on. Triangles keep their curvature from the uncut surface.
 struct EvenDomain {
@@ -45,7 +49,7 @@ struct EvenDomain {
   std::vector<geometry::BoundaryLoop> floating;  ///< the other holes: level sets of the field, no path ends there
   std::vector<double> harmonic;                  ///< 0 outside, 1 at the centre, constant on floating holes (no flux)
   PeriodicCoordinate theta;                      ///< once around, counter-clockwise positive
-  std::vector<Vec3> slit_P;                      ///< the slit as a polyline; empty when the centre is a hole
+  std::vector<std::vector<Index>> slits;         ///< vertices along each arm of the centre
 
   [[nodiscard]] double interval_mm(const IntervalRule& rule, Index triangle, const Vec3& across) const {
     return rule.interval_mm(across.dot(curvature[static_cast<std::size_t>(triangle)] * across));
@@ -55,9 +59,10 @@ struct EvenDomain {
 /// `ramp_share`: the share of a turn over which theta grows on the outer boundary, 1: all of it (harmonic theta). Where
 /// theta stands still the path keeps its distance from the boundary, so that the wedge between the boundary and the
 /// first turn, and the part of the boundary that must be run along, shrink to this share; inward theta becomes harmonic
-/// again. Errors (bad_input): surface-slit-short (its ends are neighbours), surface-no-path where a slit or seam cannot
-/// be laid, those of MeshTopology::build, and matrix-not-positive-definite where a mesh is too thin for theta.
-/// Requires: a boundary; slit vertices inside and distinct; 0 < ramp_share <= 1.
+/// again. An arm that would cross an earlier one starts where it leaves it. Errors (bad_input): surface-slit-short (the
+/// slit is one edge), surface-no-path where a slit or seam cannot be laid, those of MeshTopology::build, and
+/// matrix-not-positive-definite where a mesh is too thin for theta.
+/// Requires: a boundary; a centre with a loop or an arm; arms as Centre says, distinct ends; 0 < ramp_share <= 1.
 Result<EvenDomain> even_domain(const EvenSurface& surface, const Centre& centre, double ramp_share = 1.0);
 
 }  // namespace volute::planner

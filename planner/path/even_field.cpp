@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/check.hpp"
+#include "planner/path/even_collar.hpp"
 
 namespace volute::planner {
 namespace {
@@ -108,9 +109,13 @@ void EvenFieldSolver::number_unknowns(const std::optional<std::vector<double>>& 
     for (Index v : loop.vertices) unknown_[at(v)] = -1;
   }
   unknown_count_ = 0;
-  for (int& u : unknown_) u = u == inner ? unknown_count_++ : u;
   centre_unknown_ = unknown_count_++;
   for (Index v : domain.centre.vertices) unknown_[at(v)] = centre_unknown_;
+  for (const CollarVertex& c : slit_collar(domain, rule_)) {
+    unknown_[at(c.vertex)] = centre_unknown_;
+    held_[at(c.vertex)] = -c.turns_before;
+  }
+  for (int& u : unknown_) u = u == inner ? unknown_count_++ : u;
   for (std::size_t i = 0; i < domain.floating.size(); ++i) {
     const int tied = float_levels ? -1 : unknown_count_++;
     for (Index v : domain.floating[i].vertices) {

@@ -13,7 +13,7 @@ namespace volute::planner {
 
 /// Weights of the field's optimisation. The defaults hold for every part; they are dimensionless.
 struct EvenFieldOptions {
-  double bend = 2.0;         ///< cost of |Laplacian|^2: higher gives rounder turns at the holes, and a longer path
+  double bend = 1.0;         ///< cost of |Laplacian|^2: higher gives rounder turns at the holes, and a longer path
   double excess = 0.05;      ///< mu: cost of (|q| L)^2 beside |q| L; a little keeps the optimum unique
   double step = 20.0;        ///< rho of ADMM: speed only
   double cone_rad = 1.2;     ///< the gradient stays this near the harmonic one: no critical points

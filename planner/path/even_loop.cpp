@@ -5,6 +5,7 @@
 
 #include "geometry/number_text.hpp"
 #include "planner/path/even_prolong.hpp"
+#include "planner/path/even_rounding.hpp"
 #include "planner/path/point_grid.hpp"
 
 namespace volute::planner {
@@ -70,12 +71,28 @@ bool better(const EvenRound& a, const EvenRound& b) {
   return a.length_mm < b.length_mm;
 }
 
+/// Rounds the corners and puts what moved back onto the surface.
+void round_on_surface(const EvenDomain& domain, CcPiece& piece, double interval_mm) {
+  const auto moved = round_corners(piece, interval_mm);
+  std::vector<Vec3> places;
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    if (moved[i] != 0) places.push_back(piece.points[i].point_P_mm);
+  }
+  const auto put = on_mesh(domain.mesh, domain.vertex_normals, domain.operators, places);
+  for (std::size_t i = 0, next = 0; i < moved.size(); ++i) {
+    if (moved[i] == 0) continue;
+    piece.points[i].point_P_mm = put[next].point_P_mm;
+    piece.points[i].normal_P = put[next++].normal_P;
+  }
+}
+
 EvenRound trace_round(const EvenDomain& domain, const IntervalRule& rule, const EvenField& field,
                       std::vector<double>& worst) {
   EvenRound round;
   round.field = field;
-  round.path = even_path(domain, field);
+  round.path = even_path(domain, field, rule.interval_mm(0.0));
   round.cc = cc_path_of(domain, round.path);
+  for (CcPiece& piece : round.cc.pieces) round_on_surface(domain, piece, rule.interval_mm(0.0));
   round.length_mm = length_of(round.cc);
   ScallopMap map = measure_scallop(domain.mesh, domain.vertex_normals, round.cc, rule.radius_mm, rule.scallop_mm);
   round.scallop = map.statistics;
@@ -85,13 +102,14 @@ EvenRound trace_round(const EvenDomain& domain, const IntervalRule& rule, const 
 
 }  // namespace
 
-Result<EvenField> first_field(const EvenDomain& domain, const IntervalRule& rule, const EvenLoopOptions& options) {
+Result<FirstField> first_field(const EvenDomain& domain, const IntervalRule& rule, const EvenLoopOptions& options) {
   const auto solver = EvenFieldSolver::build(domain, rule, options.field, std::nullopt);
   if (!solver) return tl::unexpected(solver.error());
   EvenField field = solver->start();
   const std::vector<double> gain(domain.mesh.triangles.size(), 1.0);
   solver->improve(field, gain, options.first_outer, options.first_inner);
-  return field;
+  auto slopes = solver->slopes(field);
+  return FirstField{std::move(field), std::move(slopes)};
 }
 
 Result<EvenRound> even_rounds(EvenDomain& domain, EvenField field, const IntervalRule& rule,

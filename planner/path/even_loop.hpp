@@ -29,8 +29,13 @@ struct EvenRound {
   double length_mm = 0.0;
 };
 
+struct FirstField {
+  EvenField field;
+  std::vector<Vec2> slopes;  ///< as EvenFieldSolver::slopes
+};
+
 /// The first field, its floating holes free. Errors: as SparseSolver::factor.
-Result<EvenField> first_field(const EvenDomain& domain, const IntervalRule& rule, const EvenLoopOptions& options);
+Result<FirstField> first_field(const EvenDomain& domain, const IntervalRule& rule, const EvenLoopOptions& options);
 
 /// Goes on from `field`: holds the floating holes midway between path levels (theta is turned for that), traces,
 /// measures, corrects. Errors (bad_input): path-even-broken when no round holds one piece; as SparseSolver::factor.

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/check.hpp"
+#include "planner/path/even_ending.hpp"
+#include "planner/path/even_prolong.hpp"
 #include "planner/path/level_trace.hpp"
 #include "planner/surface/edge_curve.hpp"
 
@@ -68,23 +71,79 @@ std::vector<EvenPathPoint> once_around(const LevelLine& line, Index triangle, co
   return out;
 }
 
-/// The spiral cut off where phi first passes `last_turn`, then once around the line of that turn.
-void append_spiral(const EvenDomain& domain, const EvenField& field, const LevelLine& main, double last_turn,
-                   EvenPath& out) {
+std::vector<Vec3> positions(const TriangleMesh& mesh, const SurfacePath& path) {
+  std::vector<Vec3> out;
+  for (const SurfacePoint& p : path) out.push_back(position_mm(mesh, p));
+  return out;
+}
+
+/// The closed line of a turn that passes through a triangle.
+std::optional<LevelLine> turn_through(const EvenDomain& domain, const EvenField& field, double turn, Index triangle) {
+  for (LevelLine& line : trace_levels(domain.mesh, domain.topology, {field.phi, {}}, turn - std::floor(turn))) {
+    if (!line.closed || std::abs(value_at(field.phi, line.points.front()) - turn) > 0.25) continue;
+    if (std::find(line.triangles.begin(), line.triangles.end(), triangle) != line.triangles.end())
+      return std::move(line);
+  }
+  return {};
+}
+
+/// From the last turn, a full interval outside the slit, into the slit and along it; false where it has no way in.
+bool append_slit(const EvenDomain& domain, const LevelLine& line, Index triangle, const EvenPathPoint& crossing,
+                 double turns, double interval_mm, EvenPath& out) {
+  std::vector<Vec3> slit;
+  for (Index v : slit_line(domain)) slit.push_back(domain.mesh.vertices_mm[at(v)]);
+  if (slit.size() < 3) return false;
+  const std::size_t n = line.points.size();
+  const auto segment = static_cast<std::size_t>(std::find(line.triangles.begin(), line.triangles.end(), triangle) -
+                                                line.triangles.begin());
+  const LastTurn turn{positions(domain.mesh, line.points), (segment + 1) % n};
+  const SlitEnding ending = slit_ending(slit, turn, interval_mm);
+  if (ending.points_mm.empty()) return false;
+  out.points.push_back(crossing);
+  for (std::size_t step = 0; step <= ending.steps; ++step)
+    out.points.push_back({line.points[(turn.begin + step) % n], crossing.turn, {}, 0.0});
+  out.ending_mm = ending.points_mm;
+  out.ending_turn = turns;
+  return true;
+}
+
+/// The spiral cut off where phi first passes `last_turn`; it goes on from `crossing` in `triangle`.
+struct CutOff {
+  EvenPathPoint crossing;
+  Index triangle = geometry::no_index;
+};
+std::optional<CutOff> cut_off(const EvenField& field, const LevelLine& main, double last_turn, EvenPath& out) {
   std::size_t i = 0;
   for (; i < main.points.size() && value_at(field.phi, main.points[i]) <= last_turn; ++i) {
     out.points.push_back({main.points[i], value_at(field.phi, main.points[i]), {}, 0.0});
   }
-  if (i == 0 || i == main.points.size()) return;
+  if (i == 0 || i == main.points.size()) return {};
   const double before = value_at(field.phi, main.points[i - 1]), after = value_at(field.phi, main.points[i]);
-  const EvenPathPoint crossing{main.points[i - 1], last_turn, main.points[i], (last_turn - before) / (after - before)};
-  for (const LevelLine& line :
-       trace_levels(domain.mesh, domain.topology, {field.phi, {}}, last_turn - std::floor(last_turn))) {
-    if (!line.closed || std::abs(value_at(field.phi, line.points.front()) - last_turn) > 0.25) continue;
-    const auto closing = once_around(line, main.triangles[i - 1], crossing);
-    out.points.insert(out.points.end(), closing.begin(), closing.end());
-    if (!closing.empty()) return;
+  return CutOff{{main.points[i - 1], last_turn, main.points[i], (last_turn - before) / (after - before)},
+                main.triangles[i - 1]};
+}
+
+/// The spiral and its end: in a slit, a last turn one interval outside it and the slit itself; else once around the
+/// line half an interval before the centre. Returns the last turn that belongs to the spiral.
+double append_spiral(const EvenDomain& domain, const EvenField& field, const LevelLine& main, double interval_mm,
+                     EvenPath& out) {
+  const std::size_t begin = out.points.size();
+  if (!slit_line(domain).empty() && field.turns > 2.0) {
+    const double last_turn = field.turns - 1.0;
+    const auto end = cut_off(field, main, last_turn, out);
+    const auto line = end ? turn_through(domain, field, last_turn, end->triangle) : std::nullopt;
+    if (line && append_slit(domain, *line, end->triangle, end->crossing, field.turns, interval_mm, out))
+      return last_turn;
+    out.points.resize(begin);
   }
+  const double last_turn = field.turns - 0.5;
+  const auto end = cut_off(field, main, last_turn, out);
+  const auto line = end ? turn_through(domain, field, last_turn, end->triangle) : std::nullopt;
+  if (line) {
+    const auto closing = once_around(*line, end->triangle, end->crossing);
+    out.points.insert(out.points.end(), closing.begin(), closing.end());
+  }
+  return last_turn;
 }
 
 /// The point of the nominal surface over an edge, [Sun2016] eq. 15, 16.
@@ -94,9 +153,14 @@ Vec3 on_edge_curve(const EvenDomain& domain, const SurfacePoint& p) {
       .point_mm(p.t);
 }
 
+bool same_place(const CcPoint& a, const CcPoint& b) {
+  constexpr double same_point_mm = 1e-6;
+  return (a.point_P_mm - b.point_P_mm).norm() < same_point_mm;
+}
+
 }  // namespace
 
-EvenPath even_path(const EvenDomain& domain, const EvenField& field) {
+EvenPath even_path(const EvenDomain& domain, const EvenField& field, double interval_mm) {
   std::vector<double> winding(field.phi.size());
   for (std::size_t v = 0; v < winding.size(); ++v) winding[v] = field.phi[v] - domain.theta.vertex[v];
   const auto lines = trace_levels(domain.mesh, domain.topology, {winding, domain.theta.jump}, 0.5);
@@ -105,10 +169,9 @@ EvenPath even_path(const EvenDomain& domain, const EvenField& field) {
     out.pieces = 0;
     return out;
   }
-  const double last_turn = field.turns - 0.5;
   const LevelLine& main = lines.front();
   out.points = boundary_half_turn(domain, main.points.front());
-  append_spiral(domain, field, main, last_turn, out);
+  const double last_turn = append_spiral(domain, field, main, interval_mm, out);
   for (std::size_t i = 1; i < lines.size(); ++i) {
     double turn = 0.0;
     for (const SurfacePoint& p : lines[i].points) turn += value_at(field.phi, p);
@@ -129,12 +192,20 @@ CcPath cc_path_of(const EvenDomain& domain, const EvenPath& path) {
         p.share > 0.0 || p.place.is_vertex() ? vector_of(domain.mesh.vertices_mm) : on_edge_curve(domain, p.place);
     point.normal_P = vector_of(domain.vertex_normals).normalized();
     point.turn = p.turn;
-    constexpr double same_point_mm = 1e-6;
-    if (!piece.points.empty() && (piece.points.back().point_P_mm - point.point_P_mm).norm() < same_point_mm) continue;
+    if (!piece.points.empty() && same_place(piece.points.back(), point)) continue;
     piece.points.push_back(point);
   }
   CcPath out;
   out.pieces.push_back(std::move(piece));
+  if (!path.ending_mm.empty()) {
+    const auto ending = on_mesh(domain.mesh, domain.vertex_normals, domain.operators, path.ending_mm);
+    const double from = path.points.back().turn;
+    for (std::size_t i = 0; i < ending.size(); ++i) {
+      CcPoint p = ending[i];
+      p.turn = from + (path.ending_turn - from) * static_cast<double>(i + 1) / static_cast<double>(ending.size());
+      if (!same_place(out.pieces[0].points.back(), p)) out.pieces[0].points.push_back(p);
+    }
+  }
   return out;
 }
 

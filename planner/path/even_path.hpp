@@ -20,16 +20,19 @@ struct EvenPathPoint {
   double share = 0.0;  ///< 0: at `place`; `toward` is not used
 };
 
-/// The path inward: along the outer boundary, the spiral, the closing loop half an interval before the centre.
+/// The path inward: along the outer boundary, the spiral, its end. Around a hole or a slit that branches the end is a
+/// closing loop half an interval before it; a slit without branches is entered and run along (see even_ending.hpp).
 struct EvenPath {
   std::vector<EvenPathPoint> points;
-  int pieces = 1;  ///< 1, or how many chains the field fell into: then it is no spiral
+  std::vector<Vec3> ending_mm;  ///< behind `points`, near the surface: into the slit and along it
+  double ending_turn = 0.0;     ///< phi at its end
+  int pieces = 1;               ///< 1, or how many chains the field fell into: then it is no spiral
 };
 
 /// Traces phi - theta at Z + 1/2. [Sun2016] eq. 11 departs here: the guide line is a level line of the field, the
 /// increment is 1, and half a turn along the outer boundary comes first, so that no wedge stays uncut (errata to eq.
-/// 11).
-EvenPath even_path(const EvenDomain& domain, const EvenField& field);
+/// 11). `interval_mm`: on flat ground.
+EvenPath even_path(const EvenDomain& domain, const EvenField& field, double interval_mm);
 
 /// Positions and normals of the path as one CC piece.
 CcPath cc_path_of(const EvenDomain& domain, const EvenPath& path);

@@ -100,23 +100,36 @@ EvenField prolonged(const EvenDomain& coarse, const EvenField& field, const Even
   return out;
 }
 
+std::vector<CcPoint> on_mesh(const TriangleMesh& mesh, std::span<const Vec3> vertex_normals,
+                             const std::vector<TriangleOperator>& operators, std::span<const Vec3> places_mm) {
+  const Searchable searchable(mesh, operators);
+  const PointGrid grid(searchable.middles, searchable.edge_mm);
+  std::vector<CcPoint> out(places_mm.size());
+  tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t i) {
+    const Found f = find(searchable, grid, places_mm[i]);
+    CcPoint& p = out[i];
+    p.point_P_mm = p.normal_P = Vec3::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto v = at(mesh.triangles[at(f.triangle)][k]);
+      p.point_P_mm += f.weight[static_cast<Eigen::Index>(k)] * mesh.vertices_mm[v];
+      p.normal_P += f.weight[static_cast<Eigen::Index>(k)] * vertex_normals[v];
+    }
+    p.normal_P.normalize();
+  });
+  return out;
+}
+
 CcPath on_surface(const EvenSurface& surface, const CcPath& path) {
   const auto operators = triangle_operators(surface.mesh);
-  const Searchable searchable(surface.mesh, operators);
-  const PointGrid grid(searchable.middles, searchable.edge_mm);
   CcPath out = path;
   for (CcPiece& piece : out.pieces) {
-    tbb::parallel_for(std::size_t{0}, piece.points.size(), [&](std::size_t i) {
-      CcPoint& p = piece.points[i];
-      const Found f = find(searchable, grid, p.point_P_mm);
-      p.point_P_mm = p.normal_P = Vec3::Zero();
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto v = at(surface.mesh.triangles[at(f.triangle)][k]);
-        p.point_P_mm += f.weight[static_cast<Eigen::Index>(k)] * surface.mesh.vertices_mm[v];
-        p.normal_P += f.weight[static_cast<Eigen::Index>(k)] * surface.vertex_normals[v];
-      }
-      p.normal_P.normalize();
-    });
+    std::vector<Vec3> places;
+    for (const CcPoint& p : piece.points) places.push_back(p.point_P_mm);
+    const auto moved = on_mesh(surface.mesh, surface.vertex_normals, operators, places);
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      piece.points[i].point_P_mm = moved[i].point_P_mm;
+      piece.points[i].normal_P = moved[i].normal_P;
+    }
   }
   return out;
 }

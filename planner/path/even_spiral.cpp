@@ -15,16 +15,42 @@ namespace volute::planner {
 namespace {
 
 using geometry::Angle;
+using geometry::Vec2;
+
+constexpr double map_hole_radius = 1.0;  ///< of the centre in the picture, turns
+
+Vec2 in_map(const EvenField& field, double theta, double phi) {
+  const double angle = 2.0 * std::numbers::pi * theta, radius = field.turns + map_hole_radius - phi;
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+/// The path in the map, turn by turn: phi - theta = k + 1/2.
+std::vector<std::vector<Vec2>> guide_lines(const EvenField& field) {
+  constexpr int parts = 60;
+  std::vector<std::vector<Vec2>> out;
+  for (double level = -0.5; level < field.turns; level += 1.0) {
+    std::vector<Vec2> line;
+    for (int i = 0; i <= parts; ++i) {
+      const double theta = static_cast<double>(i) / parts, phi = level + theta;
+      if (phi >= 0.0 && phi <= field.turns) line.push_back(in_map(field, theta, phi));
+    }
+    if (line.size() > 1) out.push_back(std::move(line));
+  }
+  return out;
+}
 
 /// The field as a picture: each vertex at the angle theta and the radius left to the centre.
 MapDrawing drawing_of(const EvenDomain& domain, const EvenField& field) {
   MapDrawing map;
   for (std::size_t v = 0; v < field.phi.size(); ++v) {
-    const double angle = 2.0 * std::numbers::pi * domain.theta.vertex[v], radius = field.turns + 1.0 - field.phi[v];
-    map.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    map.vertices.push_back(in_map(field, domain.theta.vertex[v], field.phi[v]));
   }
   map.triangles = domain.mesh.triangles;
-  if (!domain.slit_P.empty()) map.bridges_P.push_back(domain.slit_P);
+  map.guide_lines = guide_lines(field);
+  for (const auto& slit : domain.slits) {
+    auto& line = map.bridges_P.emplace_back();
+    for (Index v : slit) line.push_back(domain.mesh.vertices_mm[static_cast<std::size_t>(v)]);
+  }
   return map;
 }
 
@@ -75,28 +101,63 @@ struct Planned {
   EvenRound round;
 };
 
-/// Centre and first field on a coarse mesh where there is much to save, the rest on the mesh itself.
+/// A centre with its first field on the coarse mesh.
+struct Finalist {
+  Centre centre;
+  EvenDomain domain;
+  EvenField field;
+  double promised_mm = 0.0;
+};
+Result<Finalist> finalist_of(const EvenSurface& coarse, const Centre& centre, const IntervalRule& rule,
+                             double ramp_share) {
+  auto domain = even_domain(coarse, centre, ramp_share);
+  if (!domain) return tl::unexpected(domain.error());
+  auto first = first_field(*domain, rule, EvenLoopOptions{});
+  if (!first) return tl::unexpected(first.error());
+  const double promised_mm = promised_length_mm(*domain, rule, first->slopes);
+  return Finalist{centre, std::move(*domain), std::move(first->field), promised_mm};
+}
+
+Result<Planned> planned_around(const EvenSurface& surface, const EvenSurface& coarse, const Finalist& finalist,
+                               const IntervalRule& rule, double ramp_share) {
+  auto domain = even_domain(surface, moved_centre(coarse, finalist.centre, surface), ramp_share);
+  if (!domain) return tl::unexpected(domain.error());
+  auto round = even_rounds(*domain, prolonged(finalist.domain, finalist.field, *domain), rule, EvenLoopOptions{});
+  if (!round) return tl::unexpected(round.error());
+  return Planned{std::move(*domain), std::move(*round)};
+}
+
+/// The centre found on a coarse mesh, the best few weighed by a better field, and the path around it; around the next
+/// best where it falls into pieces.
 Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options) {
   constexpr int coarse_triangles = 5000;
-  const EvenLoopOptions loop;
+  constexpr std::size_t finalists_max = 4, tries_max = 2;
   const double ramp_share = ramp_share_of(surface, rule);
   const auto coarse = coarse_surface(surface, coarse_triangles);
   if (!coarse) return tl::unexpected(coarse.error());
   PathOptions on_coarse = options;
   if (options.centre_loop > 0 && options.centre_loop < static_cast<int>(surface.topology.boundary_loops().size())) {
-    on_coarse.centre_loop = std::get<Index>(moved_centre(surface, Index{options.centre_loop}, *coarse));
+    on_coarse.centre_loop = moved_centre(surface, {Index{options.centre_loop}, {}}, *coarse).loop;
   }
-  const auto centre = choose_centre(*coarse, rule, on_coarse);
-  if (!centre) return tl::unexpected(centre.error());
-  const auto coarse_domain = even_domain(*coarse, *centre, ramp_share);
-  if (!coarse_domain) return tl::unexpected(coarse_domain.error());
-  const auto first = first_field(*coarse_domain, rule, loop);
-  if (!first) return tl::unexpected(first.error());
-  auto domain = even_domain(surface, moved_centre(*coarse, *centre, surface), ramp_share);
-  if (!domain) return tl::unexpected(domain.error());
-  auto round = even_rounds(*domain, prolonged(*coarse_domain, *first, *domain), rule, loop);
-  if (!round) return tl::unexpected(round.error());
-  return Planned{std::move(*domain), std::move(*round)};
+  const auto centres = choose_centres(*coarse, rule, on_coarse);
+  if (!centres) return tl::unexpected(centres.error());
+  Result<Planned> planned = geometry::bad_input("path-even-broken", "no centre was tried");
+  std::vector<Finalist> finalists;
+  for (std::size_t i = 0; i < std::min(centres->size(), finalists_max); ++i) {
+    auto finalist = finalist_of(*coarse, (*centres)[i], rule, ramp_share);
+    if (finalist) {
+      finalists.push_back(std::move(*finalist));
+    } else {
+      planned = tl::unexpected(finalist.error());
+    }
+  }
+  std::stable_sort(finalists.begin(), finalists.end(),
+                   [](const Finalist& a, const Finalist& b) { return a.promised_mm < b.promised_mm; });
+  for (std::size_t i = 0; i < std::min(finalists.size(), tries_max); ++i) {
+    planned = planned_around(surface, *coarse, finalists[i], rule, ramp_share);
+    if (planned) break;
+  }
+  return planned;
 }
 
 }  // namespace

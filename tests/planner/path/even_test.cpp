@@ -12,6 +12,7 @@
 #include "planner/path/even_resample.hpp"
 #include "planner/path/even_spiral.hpp"
 #include "planner/path/path_interval.hpp"
+#include "tests/planner/path/dense_scallop.hpp"
 
 namespace volute::planner {
 namespace {
@@ -89,47 +90,6 @@ CcPathResult planned(const TriangleMesh& mesh, double radius_mm, double scallop_
   return result ? *result : CcPathResult{};
 }
 
-/// The judge: no grid, no field. For random points of random triangles, the least entry of the normal into any ball of
-/// the path.
-double greatest_ratio(const TriangleMesh& mesh, const CcPath& path, double radius_mm, double scallop_mm, int samples,
-                      unsigned seed) {
-  const auto normals = geometry::vertex_normals(mesh);
-  std::vector<Vec3> centres;
-  for (const CcPiece& piece : path.pieces) {
-    for (std::size_t i = 0; i + 1 < piece.points.size(); ++i) {
-      const CcPoint &a = piece.points[i], &b = piece.points[i + 1];
-      const int steps = 1 + static_cast<int>((b.point_P_mm - a.point_P_mm).norm() / 0.1);
-      for (int s = 0; s < steps; ++s) {
-        const double w = static_cast<double>(s) / steps;
-        centres.push_back((1 - w) * a.point_P_mm + w * b.point_P_mm +
-                          radius_mm * ((1 - w) * a.normal_P + w * b.normal_P).normalized());
-      }
-    }
-  }
-  std::mt19937 random(seed);
-  std::uniform_int_distribution<std::size_t> pick(0, mesh.triangles.size() - 1);
-  std::uniform_real_distribution<double> share(0.0, 1.0);
-  double worst = 0.0;
-  for (int i = 0; i < samples; ++i) {
-    const auto& t = mesh.triangles[pick(random)];
-    double a = share(random), b = share(random);
-    if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
-    const auto mix = [&](const std::vector<Vec3>& v) {
-      return Vec3(a * v[static_cast<std::size_t>(t[0])] + b * v[static_cast<std::size_t>(t[1])] +
-                  (1.0 - a - b) * v[static_cast<std::size_t>(t[2])]);
-    };
-    const Vec3 x = mix(mesh.vertices_mm), n = mix(normals).normalized();
-    double least = radius_mm;
-    for (const Vec3& c : centres) {
-      const Vec3 d = c - x;
-      const double along = d.dot(n), disc = radius_mm * radius_mm - d.squaredNorm() + along * along;
-      if (disc >= 0.0) least = std::min(least, along - std::sqrt(disc));
-    }
-    worst = std::max(worst, least / scallop_mm);
-  }
-  return worst;
-}
-
 void expect_sound(const TriangleMesh& mesh, const CcPathResult& result, double ratio_max) {
   ASSERT_EQ(result.path.pieces.size(), 1u);
   EXPECT_EQ(result.report.pieces, 1);
@@ -138,7 +98,7 @@ void expect_sound(const TriangleMesh& mesh, const CcPathResult& result, double r
   EXPECT_LE(*result.report.scallop_ratio_p9999, 1.05);
   EXPECT_LE(*result.report.scallop_ratio_max, 1.10);
   EXPECT_LE(*result.report.scallop_area_above_percent, 0.15);
-  EXPECT_LE(greatest_ratio(mesh, result.path, 3.0, 0.2, 1500, 7), 1.10);
+  EXPECT_LE(samples::greatest_scallop_ratio(mesh, result.path, 3.0, 0.2, 1500, 7), 1.10);
   // One piece: neighbouring points share a triangle, so no step is longer than the longest edge (edge curves bulge by
   // far less).
   double longest_mm = 0.0;
@@ -169,6 +129,7 @@ TEST(EvenSpiral, EndsInASlitWhereThereIsNoHole) {
   const CcPathResult result = planned(mesh, 3.0, 0.2);
   expect_sound(mesh, result, 1.25);
   EXPECT_FALSE(result.map.bridges_P.empty());
+  EXPECT_GT(result.map.guide_lines.size(), 5u);  // one a turn: 25 mm over intervals of 2.2 mm, in from both sides
 }
 
 TEST(EvenSpiral, SameBytesOnOneAndTwoThreads) {
@@ -202,7 +163,7 @@ TEST(EvenDomain, HarmonicAndThetaOnARing) {
   const auto surface = EvenSurface::build(mesh);
   ASSERT_TRUE(surface.has_value());
   for (double ramp_share : {1.0, 0.3}) {
-    const auto domain = even_domain(*surface, Centre(Index{1}), ramp_share);
+    const auto domain = even_domain(*surface, Centre{Index{1}, {}}, ramp_share);
     ASSERT_TRUE(domain.has_value());
     for (std::size_t v = 0; v < domain->harmonic.size(); ++v) {
       const double r = domain->mesh.vertices_mm[v].norm();
