@@ -209,10 +209,9 @@ bool draw_map(const PathPicture& picture, const std::filesystem::path& file) {
   drawing.line({low, {high.x(), low.y()}, high, {low.x(), high.y()}, low}, "stroke=\"#000\" stroke-width=\"3\"");
   for (const Polyline& line : picture.result.map.guide_lines)
     drawing.line(line, "stroke=\"#4575b4\" stroke-width=\"1.6\"");
-  drawing.text(margin_px, 0,
-               picture.name +
-                   ": guide lines in the map; below the outer boundary, above the holes and their bridges, "
-                   "left and right the seam");
+  drawing.text(margin_px, 0, picture.name + ": guide lines in the map");
+  drawing.text(margin_px, 1,
+               "below: outer boundary; above: holes and the bridges between them; left and right: the seam");
   return drawing.write(file);
 }
 
