@@ -60,10 +60,11 @@ double dot(const Values& a, const Values& b) {
   return sum;
 }
 
-/// The quadratic form c^T P c / 2 + q^T c.
+/// The quadratic form c^T P c / 2 + q^T c, and the energy of the start without what holds values.
 struct Quadratic {
   Band matrix;
   Values linear;
+  double energy = 0.0;
 };
 
 Quadratic quadratic_of(const SmoothProblem& problem) {
@@ -74,9 +75,13 @@ Quadratic quadratic_of(const SmoothProblem& problem) {
   for (std::size_t k = 1; k < 4; ++k) {
     for (std::size_t i = 0; i + k < n; ++i) add_square(form.matrix, i, differences[k], weight[k]);
   }
+  const Values start(problem.start.begin(), problem.start.end());
+  form.energy = 0.5 * dot(start, multiplied(form.matrix, start));
   for (std::size_t i = 0; i < problem.attraction.weight.size(); ++i) {
-    form.matrix[i][0] += problem.attraction.weight[i];
-    form.linear[i] -= problem.attraction.weight[i] * problem.attraction.target[i];
+    const double pull = problem.attraction.weight[i], away = start[i] - problem.attraction.target[i];
+    form.matrix[i][0] += pull;
+    form.linear[i] -= pull * problem.attraction.target[i];
+    form.energy += 0.5 * pull * away * away;
   }
   for (const HeldValue& held : problem.held) {
     const auto first = static_cast<std::size_t>(held.first);
@@ -152,8 +157,7 @@ class InteriorPoint {
  public:
   explicit InteriorPoint(const SmoothProblem& problem)
       : problem_(problem), form_(quadratic_of(problem)), c_(problem.start.begin(), problem.start.end()) {
-    const double energy = 0.5 * dot(c_, multiplied(form_.matrix, c_)) + std::abs(dot(c_, form_.linear));
-    const double unit = std::max(energy, least_unit);
+    const double unit = std::max(form_.energy, least_unit);
     for (auto& row : form_.matrix) {
       for (double& entry : row) entry /= unit;
     }

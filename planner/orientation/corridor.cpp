@@ -37,6 +37,7 @@ constexpr double worthwhile_share = 0.05;
 constexpr double limit_share = 1.0 - 1e-5;
 constexpr double peak_price = 0.25;
 constexpr double same_share = 1e-9, same_rad = 1e-9;
+constexpr double held_rad = 1e-6;
 // A rotary whose acceleration stays below this, rad/mm^2, is straight up to rounding: there is nothing to lower.
 constexpr double straight_rad_mm2 = 1e-9;
 
@@ -172,6 +173,14 @@ bool falls_on(const RotaryPeaks& before, const RotaryPeaks& after) {
   return false;
 }
 
+bool holds(const std::vector<Rotaries>& at, const std::vector<HeldStation>& held) {
+  return std::all_of(held.begin(), held.end(), [&](const HeldStation& one) {
+    const Rotaries& here = at[static_cast<std::size_t>(one.station)];
+    return (!one.rotary[0] || std::abs(here[0] - one.value[0]) < held_rad) &&
+           (!one.rotary[1] || std::abs(here[1] - one.value[1]) < held_rad);
+  });
+}
+
 }  // namespace
 
 std::optional<std::vector<Rotaries>> standing_still(const AllowedSet& allowed, const std::vector<Rotaries>& at) {
@@ -224,7 +233,7 @@ CorridorResult lower_peaks(const AllowedSet& allowed, const std::vector<Rotaries
     if (!curve) break;
     std::vector<Rotaries> lowered = smoother.stations_of(*curve);
     const RotaryPeaks peaks = peaks_per_mm(allowed, lowered);
-    if (!no_peak_above(peaks, limits)) break;
+    if (!no_peak_above(peaks, limits) || !holds(lowered, held)) break;
     result.at = std::move(lowered);
     if (!falls_on(before, peaks)) break;
     before = peaks;
