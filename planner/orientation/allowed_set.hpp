@@ -1,6 +1,9 @@
 // Which orientations are allowed at a point of the path: axis travel, process limits from the normal, nothing touched.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -48,6 +51,12 @@ class AllowedSet {
   [[nodiscard]] std::string what_blocks(int i, const Vec3& wanted_P) const;
 
   [[nodiscard]] const RotaryChart& chart() const { return *chart_; }
+  [[nodiscard]] const kinematics::Tool& tool() const { return *tool_; }
+  [[nodiscard]] const Interference& interference() const { return *interference_; }
+  /// Least and greatest tilt from the normal, rad: the greatest stays short of a right angle.
+  [[nodiscard]] std::array<double, 2> tilt_limits() const {
+    return {options_->tilt_min.radians(), std::min(options_->tilt_max.radians(), 0.5 * std::numbers::pi - 1e-6)};
+  }
   [[nodiscard]] std::span<const Station> stations() const { return stations_; }
   [[nodiscard]] Vec3 planned_axis(int i) const;  ///< tilt and yaw of the options in the feed frame
 

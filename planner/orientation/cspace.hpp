@@ -1,0 +1,31 @@
+// The allowed set at a CC point as a map: cells of orientations proved free, proved blocked, or too small to halve.
+#pragma once
+
+#include <vector>
+
+#include "kinematics/model/orientation_map.hpp"
+#include "planner/orientation/allowed_set.hpp"
+
+namespace volute::planner {
+
+struct CspaceOptions {
+  geometry::Angle resolution = geometry::Angle::degrees(0.5);  ///< cells are not halved below this
+};
+
+/// The map of station i, over tilt and yaw and over both rotaries.
+///
+/// A cell is free when the assembly in its middle stands farther from everything than any of its points moves within
+/// the cell, and blocked when it stands deeper in something than that: so free and blocked hold for every orientation
+/// of the cell. Else the cell is halved, down to the resolution. Limits of tilt are exact; limits of width and travel
+/// are told by middle and corners of a cell; the machine's links are looked at in the middle of each cell of the
+/// rotaries' map.
+///
+/// Properties, each with a test of that name: 1. FreeCellsAreFreeThroughout. 2. BlockedCellsAreBlockedThroughout.
+/// 3. CellsCoverTheRangesOnce. 4. FreeShareOfAWallIsItsClosedForm.
+kinematics::OrientationMap orientation_map(const AllowedSet& allowed, int i, const CspaceOptions& options);
+
+/// The share of a 5 degree raster of directions within the limits of tilt that is allowed: quick, for finding the worst
+/// CC points.
+double allowed_share(const AllowedSet& allowed, int i);
+
+}  // namespace volute::planner
