@@ -160,9 +160,9 @@ Result<void> measure_material(const VerifyRequest& request, const std::vector<Sw
 void add_stock_warning(const StockReport& report, std::vector<Finding>& warnings) {
   if (report.findings.empty()) return;
   Finding warning = report.findings.front();
-  warning.text = "in a full block about the part " + std::to_string(report.findings.size()) +
-                 (report.findings.size() == 1 ? " place" : " places") + " would meet material, the first at line " +
-                 std::to_string(warning.line) + " (" + warning.axis_or_pair +
+  warning.text = "in a full block about the part the tool would meet material where it should not on " +
+                 std::to_string(report.findings.size()) + (report.findings_left_out ? " or more lines" : " line(s)") +
+                 ", the first is " + std::to_string(warning.line) + " (" + warning.axis_or_pair +
                  "); the stock is not given: give it to have this judged";
   warnings.push_back(std::move(warning));
 }

@@ -191,7 +191,10 @@ class StockRun {
     auto& all = report_.findings;
     const auto same = [&](const Finding& f) { return f.axis_or_pair == pair && f.line == pose.line; };
     if (const auto found = std::find_if(all.begin(), all.end(), same); found != all.end()) return &*found;
-    if (all.size() >= findings_max) return nullptr;
+    if (all.size() >= findings_max) {
+      report_.findings_left_out = true;
+      return nullptr;
+    }
     all.push_back({"collision", pose.line, pose.time_s, pair, 0.0, limit, ""});
     all.back().pose_P = pose.pose;
     return &all.back();

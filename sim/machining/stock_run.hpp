@@ -30,6 +30,7 @@ struct StockReport {
   /// `value` is the depth in mm, the greatest of those seen: how much the cone can shrink on all sides before it is
   /// free.
   std::vector<Finding> findings;
+  bool findings_left_out = false;  ///< there were more than 100
 };
 
 /// Cuts `stock` along the run. Shank and holder are held against what is left when they get there: never later than
