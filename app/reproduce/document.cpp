@@ -80,11 +80,16 @@ std::map<std::string, std::string> sections_of(std::string_view document) {
 }
 
 std::string document_text(const std::map<std::string, std::string>& sections) {
-  std::string text = preface;
-  for (const Item& item : reproduction_items())
-    if (const auto section = sections.find(item.name); section != sections.end())
+  std::string text = preface, missing;
+  for (const Item& item : reproduction_items()) {
+    const auto section = sections.find(item.name);
+    if (section == sections.end())
+      missing += (missing.empty() ? "" : ", ") + std::string("`") + item.name + "`";
+    else
       text +=
           std::string(mark_begin) + item.name + std::string(mark_end) + section->second + std::string(mark_last) + "\n";
+  }
+  if (!missing.empty()) text += "Not made yet: " + missing + " (`volute reproduce NAME --out docs`).\n\n";
   return text + left_out;
 }
 

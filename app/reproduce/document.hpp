@@ -15,7 +15,8 @@ std::string section_text(const Item& item, const ItemPage& page, const std::stri
 /// Sections by item name, as they stand in a document that was written before. Text without marks gives none.
 std::map<std::string, std::string> sections_of(std::string_view document);
 
-/// The whole document: preface, the sections in the order of reproduction_items(), what cannot be made. Property:
+/// The whole document: preface, the sections in the order of reproduction_items(), the items that have none yet,
+/// what cannot be made. Property:
 /// sections_of(document_text(s)) = s for sections of known items.
 std::string document_text(const std::map<std::string, std::string>& sections);
 
