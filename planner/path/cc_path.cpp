@@ -79,6 +79,14 @@ Result<void> begin_even_at(const geometry::TriangleMesh& surface, const PathOpti
   return {};
 }
 
+/// Turns beside a floating hole differ by more than one across it, so that intervals cannot be told from turn to turn:
+/// the interval that leaves the greatest scallop measured, over the allowed one. Nothing where that place is uncut.
+std::optional<double> interval_of_scallop(const PathReport& report, const IntervalRule& rule) {
+  const double height_mm = report.scallop_ratio_max.value_or(0.0) * rule.scallop_mm;
+  if (height_mm <= 0.0 || height_mm >= rule.radius_mm) return {};
+  return path_interval_mm(rule.radius_mm, height_mm, 0.0) / path_interval_mm(rule.radius_mm, rule.scallop_mm, 0.0);
+}
+
 /// The optimised field, finished as the other methods are; plan_even_spiral runs inward and counter-clockwise.
 Result<CcPathResult> plan_even(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
                                const PathOptions& options, const OrientationOptions& orientation) {
@@ -100,8 +108,8 @@ Result<CcPathResult> plan_even(const geometry::TriangleMesh& surface, const kine
   report.liftings = 2;
   report.notes = result->report.notes;
   report.rapid_traversals = static_cast<int>(result->path.pieces.size()) - 1;
-  // Turns beside a floating hole differ by more than one across it: no interval from turn to turn.
   measure_path({surface, intervals, {}, false, !options.from_turn && !options.to_turn}, result->path, report);
+  report.interval_ratio_max = interval_of_scallop(report, intervals.rule());
   result->report = std::move(report);
   return result;
 }
