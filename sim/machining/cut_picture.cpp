@@ -49,7 +49,12 @@ CutPicture cut_picture(const geometry::TriangleMesh& surface, const kinematics::
   VOLUTE_CHECK(edge_mm > 0.0 && vertices_max > 0, edge_mm, vertices_max);
   // Three vertices a child: the area of a child is about 0.4 edge^2.
   const double least_edge_mm = std::sqrt(geometry::area_mm2(surface) * 3.0 / (0.4 * static_cast<double>(vertices_max)));
-  const SurfaceSamples samples(surface, 1e9, std::max(edge_mm, least_edge_mm));
+  double edge_used_mm = std::max(edge_mm, least_edge_mm);
+  SurfaceSamples samples(surface, 1e9, edge_used_mm);
+  while (3 * samples.patches().size() > vertices_max && samples.patches().size() > surface.triangles.size()) {
+    edge_used_mm *= 1.1;
+    samples = SurfaceSamples(surface, 1e9, edge_used_mm);
+  }
   const SweptCutter swept(cutter, poses, options.sweep_tolerance_mm);
   const double search = options.search_height_mm > 0.0 ? options.search_height_mm : cutter.radius_mm;
 

@@ -19,7 +19,8 @@ struct CutPicture {
 std::array<unsigned char, 3> deviation_colour(double deviation_mm, double gouge_limit_mm, double uncut_limit_mm);
 
 /// Cuts every triangle into as many as keep edges at `edge_mm` and measures at their corners, along the normal of the
-/// triangle. Triangles do not share corners: a sharp edge has two sides. `vertices_max` widens the edge where needed.
+/// triangle. Triangles do not share corners: a sharp edge has two sides. `vertices_max` widens the edge where needed;
+/// three corners a triangle of the surface there are at least.
 CutPicture cut_picture(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
                        const std::vector<SweptPose>& poses, const CutSurfaceOptions& options, double edge_mm,
                        std::size_t vertices_max = 2'000'000);

@@ -131,7 +131,7 @@ TEST(Verify, ARapidThroughStockIsAFindingOrAWarning) {
     ASSERT_TRUE(result->stock && result->picture);
     EXPECT_GT(result->stock->report.first_mm3 - result->stock->report.left_mm3, 0.9 * 3 * 11 * 12);
     EXPECT_GT(result->stock->skin_P.triangles.size(), 1000u);
-    EXPECT_LE(result->picture->mesh.vertices_mm.size(), 4000u);
+    EXPECT_LE(result->picture->mesh.vertices_mm.size(), 3000u);
   }
   auto r = request(plain);
   r.stock = StockSetup{{}, Eigen::AlignedBox3d(Vec3(-1, -1, -2), Vec3(11, 11, 3)), 0.0, false};
