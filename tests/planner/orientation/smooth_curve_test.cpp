@@ -1,7 +1,9 @@
 #include "planner/orientation/smooth_curve.hpp"
 
+#include <array>
 #include <fstream>
 #include <random>
+#include <span>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -54,6 +56,39 @@ double objective(const std::vector<double>& s, const std::vector<double>& phi, W
   return sum;
 }
 
+/// [Sun2016] eq. 34 corrected (its table is mirrored, one entry wrong): the row of an inner free point.
+std::array<double, 5> eq34_row(std::span<const double, 4> l) {
+  const double q0 = l[0] + l[1], q1 = l[1] + l[2], q2 = l[2] + l[3];
+  const double a = q1 * q2 * q2 * l[1] * l[2] * l[2] * l[3], b = q1 * q2 * q2 * l[0] * l[2] * l[2] * l[3],
+               c = q0 * q0 * q2 * q2 * l[0] * l[2] * l[3], d = q0 * q0 * q2 * q2 * l[0] * l[1] * l[3],
+               e = q0 * q0 * q1 * l[0] * l[1] * l[1] * l[3], f = q0 * q0 * q1 * l[0] * l[1] * l[1] * l[2];
+  return {a, -(a + b + c), b + c + d + e, -(d + e + f), f};
+}
+
+TEST(SmoothCurve, Eq34CorrectedHoldsAtEveryFreePoint) {
+  const Json all = reference();
+  const auto lengths = all.at("eq34").at("L").get<std::array<double, 4>>();
+  const auto row = eq34_row(lengths);
+  for (std::size_t k = 0; k < 5; ++k)
+    EXPECT_NEAR(row[k], all.at("eq34").at("K")[k].get<double>(), 1e-12 * std::abs(row[k])) << k;
+  const auto s = all.at("s").get<std::vector<double>>();
+  int rows = 0;
+  for (const auto& [name, one] : all.at("cases").items()) {
+    const std::vector<Pin> pins = pins_of(one.at("pins"));
+    const std::vector<double> phi = least_acceleration(s, pins, Weights::as_printed);
+    for (std::size_t i = 2; i + 2 < s.size(); ++i) {
+      if (std::any_of(pins.begin(), pins.end(), [&](const Pin& p) { return p.index == static_cast<int>(i); })) continue;
+      const std::array<double, 4> l = {s[i - 1] - s[i - 2], s[i] - s[i - 1], s[i + 1] - s[i], s[i + 2] - s[i + 1]};
+      const auto k = eq34_row(l);
+      double sum = 0.0, size = 0.0;
+      for (std::size_t j = 0; j < 5; ++j) sum += k[j] * phi[i + j - 2], size += std::abs(k[j] * phi[i + j - 2]);
+      EXPECT_NEAR(sum, 0.0, 1e-11 * size) << name << " row " << i;
+      ++rows;
+    }
+  }
+  EXPECT_GE(rows, 15);
+}
+
 TEST(SmoothCurve, NoFreeValueCanLowerTheObjective) {
   const unsigned seed = 2024;
   std::mt19937 random(seed);
@@ -76,6 +111,29 @@ TEST(SmoothCurve, NoFreeValueCanLowerTheObjective) {
           ASSERT_GT(objective(s, moved, weights), least) << "seed " << seed << " case " << n << " point " << i;
         }
       }
+    }
+  }
+}
+
+double velocity_objective(const std::vector<double>& s, const std::vector<double>& phi, Weights weights) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < s.size(); ++i) {
+    const double l = s[i + 1] - s[i], v = (phi[i + 1] - phi[i]) / l;
+    sum += v * v * (weights == Weights::arc_length ? l : 1.0);
+  }
+  return sum;
+}
+
+TEST(SmoothCurve, TheWorkedObjectivesAreReached) {
+  const Json all = reference();
+  const auto s = all.at("s").get<std::vector<double>>();
+  for (const auto& [name, one] : all.at("cases").items()) {
+    const std::vector<Pin> pins = pins_of(one.at("pins"));
+    for (const Weights weights : {Weights::as_printed, Weights::arc_length}) {
+      const std::string arc = weights == Weights::arc_length ? "_arc" : "";
+      const double v = one.at("eq27" + arc).at("objective"), a = one.at("eq33" + arc).at("objective");
+      EXPECT_NEAR(velocity_objective(s, least_velocity(s, pins, weights), weights), v, 1e-12 * v + 1e-18) << name;
+      EXPECT_NEAR(objective(s, least_acceleration(s, pins, weights), weights), a, 1e-11 * a + 1e-18) << name;
     }
   }
 }
