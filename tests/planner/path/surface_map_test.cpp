@@ -73,7 +73,7 @@ TEST(SurfaceMaps, NoTriangleFlipsOnRandomSurfaces) {
 }
 
 TEST(SurfaceMaps, NoTriangleFlipsOnStretchedTrianglesAndUnevenDensity) {
-  const int cases = samples::case_count(8);
+  const int cases = samples::case_count(4);
   for (int i = 0; i < cases; ++i) {
     const auto seed = static_cast<std::uint32_t>(7000 + i);
     const auto annulus = make_annulus(samples::stretched_plate(seed, i % 5));
