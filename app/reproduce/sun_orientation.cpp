@@ -18,7 +18,7 @@ using geometry::Result;
 using geometry::short_text;
 using planner::Smoothing;
 
-constexpr const char* orientation_job = "obstacle-post";
+constexpr const char* orientation_job = "figure-19";
 constexpr double strokes = 700.0, stroke_share = 0.16;
 
 struct Method {
@@ -90,7 +90,7 @@ std::vector<std::string> peaks_row(const std::string& name, const planner::Orien
 }
 
 const std::vector<std::string> orientation_assumed{
-    "Part, obstacle, holder and machine: `examples/obstacle-post.toml` (the paper shows its own without sizes). Feed "
+    "Part, obstacle, holder and machine: `examples/figure-19.toml` (the paper shows its own without sizes). Feed "
     "500 mm/min as in "
     "the paper.",
     "Velocity and acceleration are eqs. 26 and 32 at constant feed, before any control, as the paper has them."};
