@@ -1,5 +1,7 @@
 #include "app/pipeline.hpp"
 
+#include <limits>
+
 #include "geometry/mesh_report.hpp"
 #include "post/cl_data.hpp"
 
@@ -135,6 +137,9 @@ geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const pl
   // surface.
   request.cut.uncut_limit_mm =
       scallop_bound * inputs.job.path.scallop_mm + inputs.job.path.allowance_mm + inputs.job.path.tolerance_mm;
+  // Between two turns most of the surface is left on purpose: its uncut area is reported, and is no fault.
+  if (inputs.job.path.from_turn || inputs.job.path.to_turn)
+    request.cut.uncut_area_limit_mm2 = std::numeric_limits<double>::infinity();
   request.cut.gouge_limit_mm = inputs.job.gouge_tolerance_mm;
   request.expected_poses = cutting_poses(posted.axis_path);
   const double rotary_step_rad = geometry::Angle::degrees(decimal_step(control.rotary_decimals)).radians();

@@ -79,7 +79,10 @@ std::string machining_rows(const Json& report) {
     text += table_row("scallop left", number(cut, "scallop_p99_mm", 4) + " mm at 99 %, " +
                                           number(cut, "scallop_max_mm", 4) + " mm at most");
     text += table_row("gouge", number(cut, "gouge_max_mm", 4) + " mm");
-    text += table_row("uncut", cut["uncut"].get<bool>() ? number(cut, "uncut_area_mm2", 2) + " mm2" : "none");
+    text += table_row("uncut", cut["uncut"].get<bool>() ? number(cut, "uncut_area_mm2", 2) + " mm2"
+                               : cut["uncut_area_mm2"].get<double>() < 1.0
+                                   ? "none"
+                                   : number(cut, "uncut_area_mm2", 0) + " mm2, left on purpose");
   }
   if (report.contains("collision")) {
     const Json& collision = report["collision"];
