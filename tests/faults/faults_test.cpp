@@ -119,8 +119,10 @@ Verdict judge(const std::string& text, const fs::path& machine_file, const fs::p
   request.surface_P = patch();
   request.obstacles_P = {fixture()};
   request.obstacle_names = {"fixture"};
-  request.cut.uncut_limit_mm = 0.02;        // the good scallop is 0.0104 mm
-  request.cut.uncut_area_limit_mm2 = 0.15;  // the control rounds the corners of the patch within its tolerance
+  request.cut.uncut_limit_mm = 0.02;  // the good scallop is 0.0104 mm
+  // Controls round the corners of the patch within their tolerance, and one without feed-forward lags there as well:
+  // 0.29 mm2 of 36.
+  request.cut.uncut_area_limit_mm2 = 0.35;
   request.cut.gouge_limit_mm = 0.01;
   request.expected_poses = expected;
   request.expected_tolerance_mm = 0.002;
