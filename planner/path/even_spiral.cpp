@@ -127,11 +127,29 @@ Result<Planned> planned_around(const EvenSurface& surface, const EvenSurface& co
   return Planned{std::move(*domain), std::move(*round)};
 }
 
-/// The centre found on a coarse mesh, the best few weighed by a better field, and the path around it; around the next
-/// best where it falls into pieces.
+/// The shortest first, then the one with the fewest arms (short arms on a small part leave no room for turns around
+/// their tips), then the next.
+std::vector<std::size_t> tried_in_order(const std::vector<Finalist>& finalists) {
+  constexpr std::size_t tries_max = 3;
+  std::vector<std::size_t> order;
+  const auto add = [&](std::size_t i) {
+    if (i < finalists.size() && std::find(order.begin(), order.end(), i) == order.end()) order.push_back(i);
+  };
+  const auto simplest = std::min_element(finalists.begin(), finalists.end(), [](const Finalist& a, const Finalist& b) {
+    return a.centre.arms.size() < b.centre.arms.size();
+  });
+  add(0);
+  add(static_cast<std::size_t>(simplest - finalists.begin()));
+  for (std::size_t i = 1; order.size() < std::min(tries_max, finalists.size()); ++i) add(i);
+  return order;
+}
+
+/// The centre found on a coarse mesh, the best few weighed by a better field, and the path around it; around another
+/// where it falls into pieces or leaves far more than the scallop.
 Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options) {
   constexpr int coarse_triangles = 5000;
-  constexpr std::size_t finalists_max = 4, tries_max = 2;
+  constexpr std::size_t finalists_max = 4;
+  constexpr double scallop_kept = 1.2;  // times the allowed one: with more, another centre is tried
   const double ramp_share = ramp_share_of(surface, rule);
   const auto coarse = coarse_surface(surface, coarse_triangles);
   if (!coarse) return tl::unexpected(coarse.error());
@@ -153,9 +171,11 @@ Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& ru
   }
   std::stable_sort(finalists.begin(), finalists.end(),
                    [](const Finalist& a, const Finalist& b) { return a.promised_mm < b.promised_mm; });
-  for (std::size_t i = 0; i < std::min(finalists.size(), tries_max); ++i) {
-    planned = planned_around(surface, *coarse, finalists[i], rule, ramp_share);
-    if (planned) break;
+  for (const std::size_t i : tried_in_order(finalists)) {
+    auto next = planned_around(surface, *coarse, finalists[i], rule, ramp_share);
+    if (next && planned && next->round.scallop.max_ratio >= planned->round.scallop.max_ratio) continue;
+    if (next || !planned) planned = std::move(next);
+    if (planned && planned->round.scallop.max_ratio <= scallop_kept) break;
   }
   return planned;
 }
