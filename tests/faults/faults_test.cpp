@@ -122,7 +122,7 @@ Verdict judge(const std::string& text, const fs::path& machine_file, const fs::p
   request.cut.uncut_limit_mm = 0.02;  // the good scallop is 0.0104 mm
   // Controls round the corners of the patch within their tolerance, and one without feed-forward lags there as well:
   // 0.29 mm2 of 36.
-  request.cut.uncut_area_limit_mm2 = 0.35;
+  request.cut.uncut_area_limit_mm2 = request.profile.control.feed_forward ? 0.15 : 0.35;
   request.cut.gouge_limit_mm = 0.01;
   request.expected_poses = expected;
   request.expected_tolerance_mm = 0.002;
