@@ -1,5 +1,5 @@
-// Standard library and Eigen, parsed once for all modules. A build aid only: every header and source still names what it
-// uses, which the header checks and a build with -DVOLUTE_PRECOMPILED=OFF prove.
+// Standard library and Eigen, parsed once for all modules. A build aid only: every header and source still names what
+// it uses, which the header checks and a build with -DVOLUTE_PRECOMPILED=OFF prove.
 #pragma once
 
 #include <algorithm>

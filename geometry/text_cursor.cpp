@@ -55,8 +55,8 @@ tl::unexpected<Error> TextCursor::misfit(std::string_view word, const std::strin
     return bad_input("mesh-truncated",
                      place(name, *this) + "the file ends where " + what + " should stand; copy or export it again");
   if (says_not_finite(word))
-    return bad_input("mesh-not-finite",
-                     place(name, *this) + what + " is " + in_quotes(word) + "; every coordinate must be a finite number");
+    return bad_input("mesh-not-finite", place(name, *this) + what + " is " + in_quotes(word) +
+                                            "; every coordinate must be a finite number");
   return bad_input("mesh-syntax", place(name, *this) + (word.empty() ? std::string("nothing") : in_quotes(word)) +
                                       " stands where " + what + " (" + kind + ") should; export the file again");
 }

@@ -26,7 +26,8 @@ struct OrientationCell {
 struct OrientationChart {
   std::array<std::string, 2> names;  ///< "yaw", "tilt" or the letters of the rotaries; the first one is drawn across
   std::vector<OrientationCell> cells;
-  /// Rad. Chosen at this CC point, when there is a plan, and at the points before and after it in the order of the path.
+  /// Rad. Chosen at this CC point, when there is a plan, and at the points before and after it in the order of the
+  /// path.
   std::optional<std::array<double, 2>> chosen;
   std::vector<std::array<double, 2>> path;
 };
@@ -34,8 +35,8 @@ struct OrientationChart {
 struct OrientationMap {
   int cc_point = 0;  ///< index among the cutting points
   geometry::Vec3 contact_P_mm = geometry::Vec3::Zero(), normal_P = geometry::Vec3::UnitZ();
-  OrientationChart lean;      ///< yaw about the normal from the feed, tilt from the normal
-  OrientationChart rotaries;  ///< axes[4] across, axes[3] up, within travel
+  OrientationChart lean;              ///< yaw about the normal from the feed, tilt from the normal
+  OrientationChart rotaries;          ///< axes[4] across, axes[3] up, within travel
   std::vector<std::string> blockers;  ///< "holder against post"
   double resolution_rad = 0.0;        ///< no cell is halved below this
   double free_share = 0.0;            ///< of the directions within the limits of tilt, by the middles of the cells
