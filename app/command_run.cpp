@@ -1,4 +1,7 @@
 // volute run: plan, post, simulate, report. The body reads as the way of one part through the program.
+#include <tbb/parallel_invoke.h>
+
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
@@ -14,6 +17,22 @@ namespace volute::app {
 namespace {
 
 using geometry::Result;
+
+/// Time by the clock.
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  /// Since the last lap, and begins the next.
+  double lap_s() {
+    const double lap = seconds();
+    start_ = Clock::now();
+    return lap;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
 
 Json full_report(const JobInputs& inputs, const planner::PlanResult& plan, const post::PostResult& posted,
                  const sim::VerifyResult& verified, const std::string& program_name) {
@@ -35,49 +54,79 @@ Json full_report(const JobInputs& inputs, const planner::PlanResult& plan, const
   return report;
 }
 
-Result<std::vector<std::string>> write_results(const OutputFolder& out, view::RunView& view, const Json& report) {
+/// The files of a run but report.json, which tells how long they took.
+struct Files {
+  Result<void> material, view, page;
+  Result<std::vector<std::string>> pictures;
+};
+
+Files write_files(const OutputFolder& out, const JobInputs& inputs, const sim::VerifyResult& verified,
+                  const view::RunView& view) {
+  Files files;
+  tbb::parallel_invoke(
+      [&] { files.material = write_material(verified, inputs.job.tool.cutter, inputs.job.spindle_rpm, out); },
+      [&] { files.view = view::save_view(view, out.folder()); },
+      [&] { files.pictures = view::write_pictures(view, out.folder()); },
+      [&] { files.page = view::write_report_html(view, out.file("report.html")); });
+  return files;
+}
+
+Result<std::vector<std::string>> write_results(const OutputFolder& out, const JobInputs& inputs,
+                                               const sim::VerifyResult& verified, view::RunView& view, Json& report,
+                                               const Stopwatch& watch) {
   view.report_json = without_seconds(report).dump(2);
+  Files files = write_files(out, inputs, verified, view);
+  for (const auto* written : {&files.material, &files.view, &files.page})
+    if (!*written) return tl::unexpected(written->error());
+  if (!files.pictures) return files.pictures;
+  report["timing"]["pictures and files"] = watch.seconds();
   if (auto written = out.write("report.json", report.dump(2) + "\n"); !written) return tl::unexpected(written.error());
-  if (auto saved = view::save_view(view, out.folder()); !saved) return tl::unexpected(saved.error());
-  auto pictures = view::write_pictures(view, out.folder());
-  if (!pictures) return pictures;
-  if (auto page = view::write_report_html(view, out.file("report.html")); !page) return tl::unexpected(page.error());
-  return pictures;
+  return files.pictures;
+}
+
+/// The program under the name that its verdict gives it, and what was planned.
+Result<std::string> write_program(const OutputFolder& out, const JobInputs& inputs, const planner::PlanResult& plan,
+                                  const post::PostResult& posted, bool passed) {
+  const auto program =
+      out.write_program(inputs.job.name, inputs.profile.control.program_extension, posted.text, passed);
+  if (!program) return program;
+  if (auto written = out.write("toolpath.cls", cl_text(inputs, plan)); !written) return tl::unexpected(written.error());
+  if (auto written = out.write("plan.json", plan_json(plan).dump(2) + "\n"); !written)
+    return tl::unexpected(written.error());
+  return program;
 }
 
 Result<int> run(const RunArguments& arguments, Context& context) {
+  Stopwatch watch;
   const auto inputs = load_inputs(arguments.job, context);
   if (!inputs) return tl::unexpected(inputs.error());
   context.warn(inputs->warnings);
+  const double inputs_s = watch.lap_s();
   const auto plan = plan_job(*inputs, context.progress());
   if (!plan) return tl::unexpected(plan.error());
   context.warn(plan->cc.report.notes);
   context.warn(plan->orientation.notes);
+  watch.lap_s();
   const auto posted = post_job(*inputs, *plan);
   if (!posted) return tl::unexpected(posted.error());
+  const double posted_s = watch.lap_s();
   const auto verified = verify_job(*inputs, *plan, *posted, context.progress(), true);
   if (!verified) return tl::unexpected(verified.error());
   context.warn(texts(verified->warnings));
+  watch.lap_s();
 
   const auto out = OutputFolder::make(arguments.out.empty() ? path(inputs->job.name) : arguments.out);
   if (!out) return tl::unexpected(out.error());
   const bool passed = verified->findings.empty();
-  const auto program =
-      out->write_program(inputs->job.name, inputs->profile.control.program_extension, posted->text, passed);
+  context.progress().report("pictures and files", 0.0);
+  const auto program = write_program(*out, *inputs, *plan, *posted, passed);
   if (!program) return tl::unexpected(program.error());
-  if (auto written = out->write("toolpath.cls", cl_text(*inputs, *plan)); !written)
-    return tl::unexpected(written.error());
-  if (auto written = out->write("plan.json", plan_json(*plan).dump(2) + "\n"); !written)
-    return tl::unexpected(written.error());
-
-  if (auto written = write_material(*verified, inputs->job.tool.cutter, inputs->job.spindle_rpm, *out); !written)
-    return tl::unexpected(written.error());
-
-  const Json report = full_report(*inputs, *plan, *posted, *verified, *program);
+  Json report = full_report(*inputs, *plan, *posted, *verified, *program);
+  report["timing"]["inputs"] = inputs_s;
+  report["timing"]["post"] = posted_s;
   view::RunView view = run_view(*inputs, *plan, *posted, *verified);
   view.program_name = *program;
-  context.progress().report("pictures", 0.0);
-  const auto pictures = write_results(*out, view, report);
+  const auto pictures = write_results(*out, *inputs, *verified, view, report, watch);
   if (!pictures) return tl::unexpected(pictures.error());
   context.print(report, run_table(report, out->folder(), *pictures));
   return passed ? exit_clean : exit_found;

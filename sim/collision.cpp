@@ -111,9 +111,11 @@ class RunCheck {
     return out;
   }
 
-  [[nodiscard]] double distance(const BodyPair& pair, const AxisVector& q, double bound_mm, PieceReport& report) const {
+  [[nodiscard]] double distance(const BodyPair& pair, const AxisVector& q, double bound_mm, PieceReport& report,
+                                double any_below_mm = 0.0) const {
     const MovingBody &a = pairs_.bodies[pair.a], &b = pairs_.bodies[pair.b];
-    return body_distance_mm(*a.body, *b.body, b.X_M(q).inverse() * a.X_M(q), bound_mm, report.pairs, exact_below_mm());
+    return body_distance_mm(*a.body, *b.body, b.X_M(q).inverse() * a.X_M(q), bound_mm, report.pairs, exact_below_mm(),
+                            any_below_mm);
   }
 
   /// Looks at one pair and says how far it may move before the next look.
@@ -122,7 +124,7 @@ class RunCheck {
     const double far = look_beyond_steps * step_mm_;
     if (pair.cutter_and_part) {
       // Most of the time they touch: a short look first, a long one only where there is air.
-      double found = distance(pair, at.q, least_free_mm(), report);
+      double found = distance(pair, at.q, least_free_mm(), report, least_free_mm());
       if (found >= least_free_mm()) found = distance(pair, at.q, far, report);
       if (found <= 0.0) report.contacts.push_back({p, found, at});
       return std::max(least_free_mm(), (1.0 - far_distance_error) * found);

@@ -39,11 +39,11 @@ double gjk_distance_mm(const btConvexShape& a, const btConvexShape& b, const btT
 struct PieceSearch {
   const ConvexPiece& piece;
   const CollisionBody& body;
-  Transform X_AB;
-  btTransform X_BA;
+  Transform X_AB, X_BA;
+  btTransform bullet_X_BA;
   std::int64_t& pairs;
   double best;
-  double exact_below;
+  double exact_below, any_below;
 
   [[nodiscard]] double bound(const Vec3& centre_B, double radius) const {
     return piece.distance_bound_mm(X_AB * centre_B) - radius;
@@ -51,17 +51,27 @@ struct PieceSearch {
 
   /// What cannot come below this is given up.
   [[nodiscard]] double limit() const {
+    constexpr double touching_mm = 1e-9;
+    if (best < any_below) return touching_mm;
     return best <= exact_below ? best : std::max(exact_below, (1.0 - far_distance_error) * best);
   }
 
+  /// How far the piece stays on its side of a flat piece's plane: no more than their distance.
+  [[nodiscard]] double beside_face_mm(const ConvexPiece::Face& face, const Vec3& centre_B) const {
+    const double side = face.normal.dot(centre_B) < face.offset_mm ? -1.0 : 1.0;
+    const Vec3 towards = -side * (X_AB.linear() * face.normal);
+    return side * (face.normal.dot(X_BA.translation()) - face.offset_mm) - piece.reach_mm(towards);
+  }
+
   void leaf(const CollisionBody::Node& node) {
+    const Vec3 centre_B = X_BA * piece.centre_mm;
     for (std::int32_t i = node.first; i < node.first + node.count && best > 0.0; ++i) {
       const ConvexPiece& other = body.piece(i);
       if (bound(other.centre_mm, other.radius_mm) >= limit()) continue;
-      const Vec3 centre_B = X_AB.inverse(Eigen::Isometry) * piece.centre_mm;
       if (other.distance_bound_mm(centre_B) - piece.radius_mm >= limit()) continue;
+      if (other.face && beside_face_mm(*other.face, centre_B) >= limit()) continue;
       ++pairs;
-      best = std::min(best, gjk_distance_mm(piece.shape(), other.shape(), X_BA));
+      best = std::min(best, gjk_distance_mm(piece.shape(), other.shape(), bullet_X_BA));
     }
   }
 
@@ -215,14 +225,16 @@ std::int32_t CollisionBody::build(std::int32_t first, std::int32_t count) {
 }
 
 double body_distance_mm(const CollisionBody& a, const CollisionBody& b, const Transform& X_BA, double bound_mm,
-                        std::int64_t& pairs, double exact_below_mm) {
+                        std::int64_t& pairs, double exact_below_mm, double any_below_mm) {
   if (a.empty() || b.empty()) return bound_mm;
-  if (a.piece_count() > b.piece_count()) return body_distance_mm(b, a, X_BA.inverse(), bound_mm, pairs, exact_below_mm);
+  if (a.piece_count() > b.piece_count())
+    return body_distance_mm(b, a, X_BA.inverse(), bound_mm, pairs, exact_below_mm, any_below_mm);
   const Transform X_AB = X_BA.inverse();
   const btTransform bullet_X_BA = to_bullet(X_BA);
   double best = bound_mm;
   for (std::size_t i = 0; i < a.piece_count() && best > 0.0; ++i) {
-    PieceSearch search{a.piece(static_cast<std::int32_t>(i)), b, X_AB, bullet_X_BA, pairs, best, exact_below_mm};
+    PieceSearch search{
+        a.piece(static_cast<std::int32_t>(i)), b, X_AB, X_BA, bullet_X_BA, pairs, best, exact_below_mm, any_below_mm};
     search.walk(0, search.bound(b.centre_mm(), b.radius_mm()));
     best = search.best;
   }

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,15 @@ class ConvexPiece {
   [[nodiscard]] virtual const btConvexShape& shape() const = 0;
   /// A lower bound of the distance from a point (body frame) to the piece; 0 inside.
   [[nodiscard]] virtual double distance_bound_mm(const Vec3& point_mm) const = 0;
+  /// The greatest of direction . p over the piece's points p. Requires: a unit vector.
+  [[nodiscard]] double reach_mm(const Vec3& direction) const;
   Vec3 centre_mm = Vec3::Zero();  ///< of a ball that holds the piece
   double radius_mm = 0.0;
+  struct Face {
+    Vec3 normal;
+    double offset_mm;
+  };
+  std::optional<Face> face;  ///< the plane normal . p = offset that a flat piece lies in
 };
 
 /// A frustum about the z axis (a cylinder when the radii are equal), exact.
@@ -72,9 +80,11 @@ constexpr double far_distance_error = 0.05;
 /// Distance between two bodies when it is below `bound_mm`, else bound_mm. Zero or negative: they meet, and the value
 /// is minus the depth in the first pair of pieces found to meet. `X_BA` takes A's frame to B's. `pairs` counts Bullet's
 /// own tests. Accuracy: 1e-5 mm (Bullet's GJK with margins 0) up to `exact_below_mm`; above it the value is never too
-/// small.
+/// small. A distance above zero and below `any_below_mm` need not be the least one: then only whether the bodies meet
+/// is looked for further.
 double body_distance_mm(const CollisionBody& a, const CollisionBody& b, const Transform& X_BA, double bound_mm,
-                        std::int64_t& pairs, double exact_below_mm = std::numeric_limits<double>::infinity());
+                        std::int64_t& pairs, double exact_below_mm = std::numeric_limits<double>::infinity(),
+                        double any_below_mm = 0.0);
 
 /// How deep two bodies that meet lie in each other: over all pairs of pieces that meet, the greatest of the shortest
 /// ways that part the two pieces; 0 when none meet. Exact for two convex bodies of one piece (Bullet's EPA); with a

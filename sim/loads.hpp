@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kinematics/model/machine.hpp"
+#include "sim/chain_dynamics.hpp"
 #include "sim/finding.hpp"
 #include "sim/trace.hpp"
 
@@ -26,7 +27,7 @@ struct LoadsReport {
 /// links; the part's and the tool's own masses are not in machine files and count as none. `velocity` and
 /// `acceleration` per s and s^2 of q's units. Gravity pulls along -z of the base, which is -z of M with every axis at
 /// zero. Positive: in the axis's positive direction. Property: force times velocity, summed over the axes, is the
-/// change of kinetic and potential energy plus what friction takes.
+/// change of kinetic and potential energy plus what friction takes. For many states: ChainDynamics.
 AxisVector drive_forces(const kinematics::Machine& machine, const AxisVector& q, const AxisVector& velocity,
                         const AxisVector& acceleration);
 
@@ -45,6 +46,7 @@ class LoadsMeter {
   void take(int axis, double load, const AxisSample& sample);
   [[nodiscard]] Finding overload(std::size_t axis, bool assumed) const;
   const kinematics::Machine* machine_;
+  ChainDynamics dynamics_;
   std::array<double, kinematics::axis_count> square_sum_{};
   std::array<std::int64_t, kinematics::axis_count> peak_line_{};
   std::array<double, kinematics::axis_count> peak_time_s_{};

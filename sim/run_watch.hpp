@@ -1,12 +1,15 @@
 // What the verifier keeps of a run while it goes by: never all samples.
 #pragma once
 
+#include <tbb/task_group.h>
+
 #include <span>
 #include <vector>
 
 #include "sim/collision.hpp"
 #include "sim/loads.hpp"
 #include "sim/machining/pose_thinner.hpp"
+#include "sim/tool_motion.hpp"
 #include "sim/trace_thinner.hpp"
 
 namespace volute::sim {
@@ -26,7 +29,8 @@ struct StatePlace {
 };
 
 /// Takes the samples of a run and keeps: the cutter's moves, machine states for collisions, loads, and a view for
-/// drawing.
+/// drawing. It works beside the run: while one lot of samples is looked at, the run fills the next. Property: what is
+/// kept does not depend on the number of threads nor on how the samples come in portions.
 class RunWatch {
  public:
   struct Bounds {
@@ -34,10 +38,15 @@ class RunWatch {
     double state_chord_mm = 0.005;  ///< of machine states between kept ones
     std::size_t trace_samples_max = 200'000;
   };
-  /// Machine, setup and tool must outlive the watch.
+  /// Machine and tool must outlive the watch.
   RunWatch(const kinematics::Machine& machine, const kinematics::Setup& setup, const kinematics::Tool& tool,
            const Bounds& bounds);
+  ~RunWatch();
+  RunWatch(const RunWatch&) = delete;
+  RunWatch& operator=(const RunWatch&) = delete;
   void add(std::span<const AxisSample> samples);
+  /// After the last sample and before anything is asked for.
+  void finish();
 
   std::vector<SweptPose> moves() { return moves_.finish(); }
   std::vector<MachineState> states() { return states_.finish(); }
@@ -45,14 +54,17 @@ class RunWatch {
   [[nodiscard]] std::vector<AxisSample> trace() const { return trace_.finish(); }
 
  private:
-  const kinematics::Machine* machine_;
-  const kinematics::Setup* setup_;
-  const kinematics::Tool* tool_;
+  void hand_over();
+  void look_at(std::span<const AxisSample> samples);
+
+  ToolMotion motion_;
   PoseThinner moves_;
   ChordThinner<MachineState, StatePlace> states_;
   LoadsMeter loads_;
   TraceThinner trace_;
+  std::vector<AxisSample> filling_, seen_;
   std::vector<kinematics::ToolPose> poses_;
+  tbb::task_group looking_;
 };
 
 }  // namespace volute::sim

@@ -1,7 +1,11 @@
 #include "sim/verify.hpp"
 
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/number_text.hpp"
 #include "sim/read_back.hpp"
@@ -13,7 +17,7 @@ namespace {
 using geometry::short_text;
 using kinematics::AxisKind;
 
-/// Tells the stages to who listens, and how long each took.
+/// Tells the stages to who listens, and how long each took: the parts of the clock's time from beginning to end.
 class Stages {
  public:
   Stages(const VerifyRequest& request, VerifyResult& result) : request_(request), result_(result) {}
@@ -26,6 +30,29 @@ class Stages {
   }
   void tell(double done) const {
     if (request_.progress) request_.progress(stage_, done);
+  }
+  struct Part {
+    std::string stage;
+    std::function<void()> work;
+  };
+  /// Parts that do not need each other, at the same time. Each waits for its own tasks only, so that it never stands
+  /// still for another's; the clock's time is shared among them as their own times are to each other.
+  void side_by_side(const std::string& name, const std::vector<Part>& parts) {
+    begin(name);
+    std::vector<double> own_s(parts.size());
+    tbb::task_group group;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      group.run([&, i] {
+        const auto start = Clock::now();
+        tbb::this_task_arena::isolate(parts[i].work);
+        own_s[i] = std::chrono::duration<double>(Clock::now() - start).count();
+      });
+    }
+    group.wait();
+    end();
+    const auto all = result_.timing_s.extract(name);
+    const double sum_s = std::accumulate(own_s.begin(), own_s.end(), 0.0);
+    for (std::size_t i = 0; i < parts.size(); ++i) result_.timing_s[parts[i].stage] += all.mapped() * own_s[i] / sum_s;
   }
   void end() {
     if (stage_.empty()) return;
@@ -128,12 +155,9 @@ void add_travel_findings(const VerifyRequest& request, VerifyResult& result) {
   }
 }
 
-void measure_surface(const VerifyRequest& request, const std::vector<SweptPose>& moves, Stages& stages,
-                     VerifyResult& result) {
-  stages.begin("cut surface");
+void measure_surface(const VerifyRequest& request, const std::vector<SweptPose>& moves, VerifyResult& result) {
   result.cut = measure_cut_surface(*request.surface_P, request.tool.cutter, moves, request.cut);
   if (request.picture_vertices_max == 0) return;
-  stages.begin("picture of the cut surface");
   // A quarter of the path interval shows every scallop; samples stand a tenth of it apart.
   result.picture = cut_picture(*request.surface_P, request.tool.cutter, moves, request.cut,
                                2.5 * result.cut->sample_spacing_mm, request.picture_vertices_max);
@@ -189,13 +213,28 @@ void gather_findings(const VerifyRequest& request, VerifyResult& result) {
 
 TraceView trace_view(const VerifyRequest& request, std::vector<AxisSample> samples) {
   TraceView view;
+  const ToolMotion motion(request.profile.machine, request.setup, request.tool.gauge_length_mm);
   view.poses_P.reserve(samples.size());
-  for (const AxisSample& s : samples) {
-    view.poses_P.push_back(
-        kinematics::tool_pose(request.profile.machine, request.setup, request.tool.gauge_length_mm, s.actual));
-  }
+  for (const AxisSample& s : samples) view.poses_P.push_back(motion.pose_P(s.actual));
   view.samples = std::move(samples);
   return view;
+}
+
+/// What the run left, met and touched. None of it needs another's result; the stock is told of, as it takes longest.
+Result<void> measure(const VerifyRequest& request, RunWatch& watch, Stages& stages, VerifyResult& result) {
+  const std::vector<SweptPose> moves = watch.moves();
+  const std::vector<MachineState> states = watch.states();
+  Result<void> stock;
+  std::vector<Stages::Part> parts;
+  if (request.stock) parts.push_back({"stock", [&] { stock = measure_material(request, moves, stages, result); }});
+  if (request.surface_P) parts.push_back({"cut surface", [&] { measure_surface(request, moves, result); }});
+  parts.push_back({"collisions", [&] {
+                     result.collision = check_collisions(scene(request), request.profile.machine, request.setup, states,
+                                                         request.collision_step_mm);
+                   }});
+  parts.push_back({"samples for pictures", [&] { result.trace = trace_view(request, watch.trace()); }});
+  stages.side_by_side("cut surface, stock and collisions", parts);
+  return stock;
 }
 
 }  // namespace
@@ -211,22 +250,13 @@ Result<VerifyResult> verify(const VerifyRequest& request) {
   RunWatch watch(request.profile.machine, request.setup, request.tool, {});
   auto report = run(request, stages, watch);
   if (!report) return tl::unexpected(report.error());
+  watch.finish();
   result.run = std::move(*report);
 
-  const std::vector<SweptPose> moves = watch.moves();
-  if (request.surface_P) measure_surface(request, moves, stages, result);
-  if (request.stock) {
-    stages.begin("stock");
-    if (auto cut = measure_material(request, moves, stages, result); !cut) return tl::unexpected(cut.error());
-  }
-
-  stages.begin("collisions");
-  result.collision = check_collisions(scene(request), request.profile.machine, request.setup, watch.states(),
-                                      request.collision_step_mm);
+  if (auto measured = measure(request, watch, stages, result); !measured) return tl::unexpected(measured.error());
 
   stages.begin("findings");
   result.loads = watch.loads();
-  result.trace = trace_view(request, watch.trace());
   gather_findings(request, result);
   stages.end();
   return result;

@@ -92,12 +92,12 @@ PlotPanel over_path_panel(const RunView& view, Quantity quantity, const std::str
 
 PlotPanel load_panel(const RunView& view, std::initializer_list<int> axes, const std::string& label) {
   PlotPanel result{label, {}, {}};
+  const sim::ChainDynamics dynamics(view.profile->machine);
   for (const int axis : axes) {
     const kinematics::Axis& drive = view.profile->machine.axes[static_cast<std::size_t>(axis)];
     PlotSeries series{std::string(1, drive.letter), plot_colours()[static_cast<std::size_t>(axis % 3)], {}};
     for (const sim::AxisSample& s : view.trace.samples)
-      series.points.emplace_back(
-          s.time_s, sim::drive_forces(view.profile->machine, s.position, s.velocity, s.acceleration)[axis]);
+      series.points.emplace_back(s.time_s, dynamics.drive_forces(s.position, s.velocity, s.acceleration)[axis]);
     result.series.push_back(std::move(series));
     if (drive.force_max) result.limits.insert(result.limits.end(), {*drive.force_max, -*drive.force_max});
   }

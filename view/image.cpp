@@ -2,6 +2,7 @@
 
 #include <cairo.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/check.hpp"
@@ -15,17 +16,22 @@ Image reduced(const Image& large, int factor) {
   small.bgra.resize(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height) * 4);
   const auto stride = static_cast<std::size_t>(large.width) * 4;
   const unsigned count = static_cast<unsigned>(factor * factor);
+  std::vector<unsigned> rows(stride);  // sums over the rows of one row of the small picture
   std::size_t out = 0;
-  for (int y = 0; y < small.height; ++y)
-    for (int x = 0; x < small.width; ++x) {
-      std::array<unsigned, 4> sum{};
-      for (int dy = 0; dy < factor; ++dy) {
-        const std::uint8_t* pixel =
-            &large.bgra[static_cast<std::size_t>(y * factor + dy) * stride + static_cast<std::size_t>(x * factor) * 4];
-        for (int dx = 0; dx < factor * 4; ++dx) sum[static_cast<std::size_t>(dx % 4)] += pixel[dx];
-      }
-      for (const unsigned channel : sum) small.bgra[out++] = static_cast<std::uint8_t>((channel + count / 2) / count);
+  for (int y = 0; y < small.height; ++y) {
+    std::fill(rows.begin(), rows.end(), 0U);
+    for (int dy = 0; dy < factor; ++dy) {
+      const std::uint8_t* row = &large.bgra[static_cast<std::size_t>(y * factor + dy) * stride];
+      for (std::size_t i = 0; i < stride; ++i) rows[i] += row[i];
     }
+    const unsigned* block = rows.data();
+    for (int x = 0; x < small.width; ++x, block += static_cast<std::ptrdiff_t>(factor) * 4)
+      for (int channel = 0; channel < 4; ++channel) {
+        unsigned sum = 0;
+        for (int dx = 0; dx < factor; ++dx) sum += block[dx * 4 + channel];
+        small.bgra[out++] = static_cast<std::uint8_t>((sum + count / 2) / count);
+      }
+  }
   return small;
 }
 

@@ -138,8 +138,11 @@ void PackedData::add_coded(const std::string& name, const std::vector<std::int32
     best = std::move(coded);
     order = other;
   }
+  const std::size_t begin = planes_.size();
+  planes_.resize(begin + 4 * best.size());
+  char* out = planes_.data() + begin;
   for (unsigned shift = 0; shift < 32; shift += 8)
-    for (const std::uint32_t value : best) planes_ += static_cast<char>((value >> shift) & 0xFFU);
+    for (const std::uint32_t value : best) *out++ = static_cast<char>((value >> shift) & 0xFFU);
   header_ += (header_.empty() ? "\"" : ",\"") + name + "\":{\"count\":" + std::to_string(values.size()) +
              ",\"step\":" + geometry::shortest_text(step) + ",\"order\":" + std::to_string(order) + "}";
 }

@@ -4,6 +4,7 @@
 #include <GL/osmesa.h>
 
 #include <memory>
+#include <mutex>
 
 #include "geometry/mesh_measure.hpp"
 
@@ -117,10 +118,10 @@ void draw_line(const ColouredLine& line, const Camera& camera) {
   glEnd();
 }
 
-}  // namespace
-
-geometry::Result<Image> render(const Scene3d& scene, const Camera& camera, int width, int height) {
-  const int large_width = width * oversampling, large_height = height * oversampling;
+/// Pictures may be made by many threads; the drawing itself is one at a time, as Mesa shares its own threads anyway.
+geometry::Result<Image> drawn(const Scene3d& scene, const Camera& camera, int large_width, int large_height) {
+  static std::mutex drawing;
+  const std::scoped_lock one_at_a_time(drawing);
   OffscreenContext context(large_width, large_height);
   if (!context.ready())
     return geometry::system_error("picture-no-context",
@@ -137,7 +138,15 @@ geometry::Result<Image> render(const Scene3d& scene, const Camera& camera, int w
   for (const ShadedMesh& mesh : scene.meshes)
     if (mesh.opacity < 1.0F) draw_mesh(mesh);
   glFinish();
-  return reduced(Image{large_width, large_height, std::move(context.pixels())}, oversampling);
+  return Image{large_width, large_height, std::move(context.pixels())};
+}
+
+}  // namespace
+
+geometry::Result<Image> render(const Scene3d& scene, const Camera& camera, int width, int height) {
+  const auto large = drawn(scene, camera, width * oversampling, height * oversampling);
+  if (!large) return large;
+  return reduced(*large, oversampling);
 }
 
 }  // namespace volute::view

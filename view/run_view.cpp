@@ -1,6 +1,8 @@
 // The pictures of a run as a table of contents: each is written if the view has what it needs.
 #include "view/run_view.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <functional>
 
 #include "geometry/file.hpp"
@@ -75,13 +77,16 @@ Result<std::vector<std::string>> write_pictures(const RunView& given, const std:
       {"loads.svg", trace && has_masses(view), svg(view, loads_plot)},
       {"deviation.svg", view.cut && !view.cut->histogram.empty(), svg(view, deviation_plot)},
   };
+  std::vector<Result<void>> stored(makers.size());
+  tbb::parallel_for(std::size_t{0}, makers.size(), [&](std::size_t i) {
+    if (!makers[i].possible) return;
+    const auto bytes = makers[i].bytes();
+    stored[i] = bytes ? geometry::write_file(folder / makers[i].name, *bytes) : tl::unexpected(bytes.error());
+  });
   std::vector<std::string> written;
-  for (const PictureMaker& maker : makers) {
-    if (!maker.possible) continue;
-    const auto bytes = maker.bytes();
-    if (!bytes) return tl::unexpected(bytes.error());
-    if (auto stored = geometry::write_file(folder / maker.name, *bytes); !stored) return tl::unexpected(stored.error());
-    written.emplace_back(maker.name);
+  for (std::size_t i = 0; i < makers.size(); ++i) {
+    if (!stored[i]) return tl::unexpected(stored[i].error());
+    if (makers[i].possible) written.emplace_back(makers[i].name);
   }
   return written;
 }

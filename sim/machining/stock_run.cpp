@@ -146,6 +146,8 @@ class StockRun {
     const double apart = std::sqrt(box_of_cone(named.cone, pose.pose).squaredExteriorDistance(stock_.box()));
     if (apart >= options_.step_mm) return apart;
     const double far = 8.0 * options_.step_mm;
+    // Where the list of findings is full, a line that is not in it has nothing to be looked for.
+    if (report_.findings_left_out && listed(pair_name(named), pose) == nullptr) return far;
     if (!stock_.touches(grown(named.cone, far), pose.pose)) return far;
     if (!stock_.touches(named.cone, pose.pose)) return options_.step_mm;
     const double inside = stock_.overlap_mm3(named.cone, pose.pose);
@@ -163,11 +165,13 @@ class StockRun {
     return 0.5 * (low + high);
   }
 
+  static std::string pair_name(const NamedCone& named) { return std::string(named.name) + "-stock"; }
+
   void meet(const NamedCone& named, double inside_mm3, const SweptPose& pose) {
-    const std::string pair = std::string(named.name) + "-stock";
+    Finding* finding = find(pair_name(named), pose, 0.0);
+    if (finding == nullptr) return;
     const double depth = depth_mm(named.cone, pose);
-    Finding* finding = find(pair, pose, 0.0);
-    if (finding == nullptr || depth <= finding->value) return;
+    if (depth <= finding->value) return;
     finding->value = depth;
     finding->text = "line " + std::to_string(finding->line) + ": " + named.name + " and stock meet from " +
                     short_text(finding->time_s, 6) + " s on, up to " + short_text(depth, 3) + " mm deep (" +
@@ -186,11 +190,18 @@ class StockRun {
                     short_text(finding->time_s, 6) + " s on and takes " + short_text(rapid_mm3_, 4) + " mm3 of it";
   }
 
-  /// The finding of a pair on a line, made where there is none; nothing when there are too many.
-  Finding* find(const std::string& pair, const SweptPose& pose, double limit) {
+  /// The finding of a pair on a line, if there is one.
+  [[nodiscard]] Finding* listed(const std::string& pair, const SweptPose& pose) {
     auto& all = report_.findings;
     const auto same = [&](const Finding& f) { return f.axis_or_pair == pair && f.line == pose.line; };
-    if (const auto found = std::find_if(all.begin(), all.end(), same); found != all.end()) return &*found;
+    const auto found = std::find_if(all.begin(), all.end(), same);
+    return found != all.end() ? &*found : nullptr;
+  }
+
+  /// The same, made where there is none; nothing when there are too many.
+  Finding* find(const std::string& pair, const SweptPose& pose, double limit) {
+    if (Finding* found = listed(pair, pose)) return found;
+    auto& all = report_.findings;
     if (all.size() >= findings_max) {
       report_.findings_left_out = true;
       return nullptr;
