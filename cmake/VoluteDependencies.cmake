@@ -54,3 +54,12 @@ function(volute_precompile target source)
     target_precompile_headers(${target} REUSE_FROM ${source})
   endif()
 endfunction()
+
+# Sources of one target compiled together, a few at a time: what they share (templates of Eigen, JSON, GoogleTest) is instantiated
+# once a batch. Only for targets where that is most of the time; their unnamed namespaces share one set of names.
+option(VOLUTE_UNITY "Compile the sources of heavy targets in batches" ON)
+function(volute_unity target batch)
+  if(VOLUTE_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})
+  endif()
+endfunction()

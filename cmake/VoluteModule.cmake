@@ -1,8 +1,8 @@
-# volute_module(NAME HEADERS ... SOURCES ... DEPENDS ... LIBRARIES ...)
+# volute_module(NAME [UNITY] HEADERS ... SOURCES ... DEPENDS ... LIBRARIES ...)
 # One static library a module. HEADERS are the public ones (each is compiled alone by the target
 # all_verify_interface_header_sets). DEPENDS are other modules, LIBRARIES third-party targets that only the sources need.
 function(volute_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;SOURCES;DEPENDS;LIBRARIES;PUBLIC_LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "UNITY" "" "HEADERS;SOURCES;DEPENDS;LIBRARIES;PUBLIC_LIBRARIES")
   set(target volute_${name})
   add_library(${target} STATIC ${arg_SOURCES})
   target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${arg_HEADERS})
@@ -14,6 +14,9 @@ function(volute_module name)
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC_LIBRARIES})
   target_link_libraries(${target} PRIVATE ${arg_LIBRARIES})
   volute_precompile(${target} volute_precompiled)
+  if(arg_UNITY)
+    volute_unity(${target} 4)
+  endif()
 endfunction()
 
 # volute_test(NAME SOURCES ... DEPENDS ... LIBRARIES ...): one GoogleTest program, each test case known to CTest.
@@ -28,5 +31,6 @@ function(volute_test name)
   endforeach()
   target_compile_definitions(${target} PRIVATE VOLUTE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" VOLUTE_BINARY_DIR="${PROJECT_BINARY_DIR}")
   volute_precompile(${target} volute_precompiled_test)
+  volute_unity(${target} 4)
   gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
 endfunction()

@@ -17,8 +17,8 @@ using sim::AxisSample;
 
 constexpr int axis_count = kinematics::axis_count;
 constexpr int first_rotary = 3;
-const double length_step_mm = std::ldexp(1.0, -17), angle_step_rad = std::ldexp(1.0, -20),
-             time_step_s = std::ldexp(1.0, -17), direction_step = std::ldexp(1.0, -20);
+const double stored_length_step_mm = std::ldexp(1.0, -17), angle_step_rad = std::ldexp(1.0, -20),
+             stored_time_step_s = std::ldexp(1.0, -17), stored_direction_step = std::ldexp(1.0, -20);
 constexpr double steps_max = 2147483000.0;
 constexpr int curve_bits = 15;
 
@@ -71,7 +71,7 @@ void add_integers(PackedData& data, const std::string& name, const std::vector<A
   data.add_integers(name, values);
 }
 
-double position_step(int axis) { return axis < first_rotary ? length_step_mm : angle_step_rad; }
+double position_step(int axis) { return axis < first_rotary ? stored_length_step_mm : angle_step_rad; }
 
 std::string numbered(const char* name, int axis) { return std::string(name) + "." + std::to_string(axis); }
 
@@ -81,7 +81,7 @@ std::string packed_trace(const sim::TraceView& trace) {
   VOLUTE_CHECK(trace.samples.size() == trace.poses_P.size(), trace.samples.size(), trace.poses_P.size());
   const auto& samples = trace.samples;
   PackedData data;
-  add_fine(data, "time", column(samples, [](const auto& s) { return s.time_s; }), time_step_s);
+  add_fine(data, "time", column(samples, [](const auto& s) { return s.time_s; }), stored_time_step_s);
   for (int axis = 0; axis < axis_count; ++axis) {
     add_fine(data, numbered("position", axis), column(samples, [=](const auto& s) { return s.position[axis]; }),
              position_step(axis));
@@ -98,9 +98,9 @@ std::string packed_trace(const sim::TraceView& trace) {
   add_integers(data, "motion", samples, [](const auto& s) { return (s.rapid ? 2 : 0) + (s.cutting ? 1 : 0); });
   for (int k = 0; k < 3; ++k) {
     add_fine(data, numbered("tip", k), column(trace.poses_P, [=](const auto& p) { return p.tip_P_mm[k]; }),
-             length_step_mm);
+             stored_length_step_mm);
     add_fine(data, numbered("axis", k), column(trace.poses_P, [=](const auto& p) { return p.axis_P[k]; }),
-             direction_step);
+             stored_direction_step);
   }
   return data.bytes();
 }

@@ -21,12 +21,12 @@ using planner::Smoothing;
 constexpr const char* orientation_job = "figure-19";
 constexpr double strokes = 700.0, stroke_share = 0.16;
 
-struct Method {
+struct ShownMethod {
   Smoothing smoothing;
   const char *short_name, *caption;
 };
 /// In the paper's order; the corridor is Volute's own.
-constexpr std::array<Method, 4> methods{
+constexpr std::array<ShownMethod, 4> methods{
     {{Smoothing::none, "TTOM (none)", "(a) before: traditional orientations, clear of the obstacle"},
      {Smoothing::velocity, "VTOM (velocity)", "(c) smoothed: least angular velocity"},
      {Smoothing::acceleration, "ATOM (acceleration)", "(d) smoothed: least angular acceleration"},
@@ -104,7 +104,7 @@ Result<ItemPage> orientations_beside_obstacle(Workshop& shop, const std::string&
   const view::PictureStyle style = view::panel_style();
   view::OrientationFocus focus{strokes, stroke_share};
   focus.tilt_range_deg = geometry::Vec2(0.0, inputs->job.orientation.tilt_max.degrees());
-  for (const Method& method : methods) {
+  for (const ShownMethod& method : methods) {
     const auto plan = shop.plan(orientation_job, method.smoothing);
     if (!plan) return tl::unexpected(plan.error());
     const view::RunView view = oriented_view(*inputs, **plan);
@@ -141,7 +141,7 @@ Result<ItemPage> rotary_axes_compared(Workshop& shop, const std::string& name) {
                   {"VTOM and ATOM, paper", "-", "-", "-", "-", "none left", "5", "-", "within 0.05 each"}};
   view::RotaryPlotText text{"A and C over the path at " + short_text(inputs->job.process.feed_mm_s * 60.0) + " mm/min",
                             {}};
-  for (const Method& method : methods) {
+  for (const ShownMethod& method : methods) {
     const auto plan = shop.plan(orientation_job, method.smoothing);
     if (!plan) return tl::unexpected(plan.error());
     curves.push_back(curve_of(method.short_name, **plan));

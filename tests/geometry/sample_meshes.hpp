@@ -7,6 +7,7 @@
 #include <string>
 
 #include "geometry/mesh_io.hpp"
+#include "tests/cases.hpp"
 
 namespace volute::geometry::test {
 
@@ -34,11 +35,5 @@ std::string stl_text(const TriangleMesh& mesh);
 /// A folder for this test alone, emptied first.
 std::filesystem::path scratch(const std::string& name);
 std::filesystem::path written(const std::string& name, std::string_view bytes);
-
-/// VOLUTE_CASES, or the default.
-inline int cases(int fallback) {
-  const char* text = std::getenv("VOLUTE_CASES");
-  return text != nullptr ? std::max(1, std::atoi(text)) : fallback;
-}
 
 }  // namespace volute::geometry::test

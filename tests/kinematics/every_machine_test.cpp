@@ -9,7 +9,6 @@ namespace volute::kinematics {
 namespace {
 
 using testing::angle_between;
-using testing::cases;
 using testing::Random;
 
 constexpr double tool_length_mm = 137.5;

@@ -100,7 +100,7 @@ TEST_P(Links, MeetNeitherEachOtherNorAPartInOrdinaryPoses) {
   const Body part{-1, "part", model_of(cube(size_mm))};
   testing::Random random(11);
   int tried = 0;
-  for (int k = 0; k < testing::cases(400); ++k) {
+  for (int k = 0; k < cases(400); ++k) {
     const double tilt = random.uniform(0.0, small ? 0.5 : 1.0), azimuth = random.uniform(-3.14, 3.14);
     ToolPose pose;  // on the top face of the part
     pose.tip_P_mm = {random.uniform(-0.5, 0.5) * size_mm, random.uniform(-0.5, 0.5) * size_mm, size_mm};

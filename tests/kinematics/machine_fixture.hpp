@@ -12,6 +12,7 @@
 
 #include "kinematics/model/control.hpp"
 #include "kinematics/model/machine.hpp"
+#include "tests/cases.hpp"
 
 namespace volute::kinematics::testing {
 
@@ -29,12 +30,6 @@ inline Machine machine_named(const std::string& name) {
   auto machine = load_machine(machines_folder() / (name + ".toml"));
   if (!machine) ADD_FAILURE() << machine.error().message;
   return machine.value_or(Machine{});
-}
-
-/// Cases a property is tried on: VOLUTE_CASES, else `fallback`.
-inline int cases(int fallback) {
-  const char* text = std::getenv("VOLUTE_CASES");
-  return text ? std::max(1, std::atoi(text)) : fallback;
 }
 
 constexpr unsigned seed = 20161;

@@ -103,15 +103,15 @@ TEST(Signs, LinuxcncSimulationAgreesWithItsOwnKinematics) {
   // length added.
   const Machine machine = testing::machine_named("linuxcnc-xyzac");
   testing::Random random;
-  const double tool_length_mm = 87.0, dy = 20.0, dz = 10.0 + tool_length_mm;
+  const double gauge_mm = 87.0, dy = 20.0, dz = 10.0 + gauge_mm;
   for (int k = 0; k < 200; ++k) {
     const Vec3 tip = random.point(60.0);
     const double a = random.uniform(-1.7, 0.8), c = random.uniform(-7.0, 7.0), x = tip.x(), y = tip.y(),
-                 z = tip.z() + tool_length_mm;
+                 z = tip.z() + gauge_mm;
     const double sc = std::sin(c), cc = std::cos(c), sa = std::sin(a), ca = std::cos(a);
     const Vec3 joints(cc * x - sc * y, sc * ca * x + cc * ca * y - sa * z - ca * dy + sa * dz + dy,
                       sc * sa * x + cc * sa * y + ca * z - sa * dy - ca * dz + dz);
-    EXPECT_LT((solve_linear(machine, tool_length_mm, tip, a, c).head<3>() - joints).norm(), 1e-9);
+    EXPECT_LT((solve_linear(machine, gauge_mm, tip, a, c).head<3>() - joints).norm(), 1e-9);
   }
 }
 

@@ -6,17 +6,13 @@
 
 #include "planner/contact.hpp"
 #include "planner/interference.hpp"
+#include "tests/cases.hpp"
 #include "tests/planner/scenes.hpp"
 
 namespace volute::planner {
 namespace {
 
 using kinematics::ToolPose;
-
-int cases(int few) {
-  const char* text = std::getenv("VOLUTE_CASES");
-  return text != nullptr ? std::atoi(text) : few;
-}
 
 Scene posts_on_plane() {
   Scene scene;

@@ -13,6 +13,7 @@
 
 #include "kinematics/model/machine.hpp"
 #include "sim/collision_shapes.hpp"
+#include "tests/cases.hpp"
 
 namespace volute::sim {
 namespace {
@@ -23,11 +24,6 @@ using geometry::Vec3;
 using kinematics::AxisVector;
 using kinematics::Machine;
 using FclMesh = fcl::BVHModel<fcl::OBB<double>>;
-
-int cases() {
-  const char* text = std::getenv("VOLUTE_CASES");
-  return text != nullptr ? std::atoi(text) : 300;
-}
 
 std::shared_ptr<FclMesh> fcl_mesh(const TriangleMesh& mesh) {
   auto model = std::make_shared<FclMesh>();
@@ -117,7 +113,7 @@ TEST(Agreement, BulletAndFclOnTheToolInThePartOnEveryMachine) {
   std::mt19937_64 random(71);
   for (const Machine& m : machines()) {
     Tally tally;
-    for (int i = 0; i < cases(); ++i) {
+    for (int i = 0; i < cases(300); ++i) {
       const AxisVector q = random_position(m, random, 35.0);
       const Transform X = kinematics::forward(m, length_mm, q);
       std::int64_t pairs = 0;
@@ -130,8 +126,8 @@ TEST(Agreement, BulletAndFclOnTheToolInThePartOnEveryMachine) {
       ++(std::abs(distance) < 1e-4 ? tally.undecided : tally.disagreements);
     }
     EXPECT_EQ(tally.disagreements, 0) << m.name << " seed 71";
-    EXPECT_GT(tally.hits, cases() / 20) << m.name;
-    EXPECT_LT(tally.hits, cases()) << m.name;
+    EXPECT_GT(tally.hits, cases(300) / 20) << m.name;
+    EXPECT_LT(tally.hits, cases(300)) << m.name;
     RecordProperty(m.name + "_undecided", tally.undecided);
   }
 }
@@ -160,7 +156,7 @@ TEST(Agreement, BulletAndFclOnTheLinksAndThePartOnEveryMachine) {
     for (const auto& shape : m.shapes) {
       const auto link = CollisionBody::of_components(shape.name, shape.mesh_M);
       const auto link_skin = fcl_mesh(shape.mesh_M);
-      for (int i = 0; i < cases() / 5; ++i) {
+      for (int i = 0; i < cases(300) / 5; ++i) {
         const AxisVector q = random_position(m, random, 400.0);
         const Transform X = kinematics::link_motion(m, shape.link, q);
         std::int64_t pairs = 0;

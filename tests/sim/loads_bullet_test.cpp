@@ -8,6 +8,7 @@
 #include <random>
 
 #include "sim/loads.hpp"
+#include "tests/cases.hpp"
 
 namespace volute::sim {
 namespace {
@@ -79,8 +80,7 @@ void compare(const Machine& m, const std::vector<int>& axes, double sign, const 
 }
 
 TEST(DriveForces, GiveBackTheirAccelerationsInBulletOnEveryMachine) {
-  const char* text = std::getenv("VOLUTE_CASES");
-  const int count = text != nullptr ? std::atoi(text) : 100;
+  const int count = cases(100);
   std::mt19937_64 random(52);
   std::uniform_real_distribution<> uniform(-1.0, 1.0);
   int machines = 0;

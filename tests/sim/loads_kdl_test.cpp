@@ -7,6 +7,7 @@
 #include <random>
 
 #include "sim/loads.hpp"
+#include "tests/cases.hpp"
 
 namespace volute::sim {
 namespace {
@@ -58,8 +59,7 @@ void compare(const Machine& m, const std::vector<int>& axes, double sign, const 
 }
 
 TEST(DriveForces, EqualsKdlOnEveryMachine) {
-  const char* text = std::getenv("VOLUTE_CASES");
-  const int count = text != nullptr ? std::atoi(text) : 200;
+  const int count = cases(200);
   std::mt19937_64 random(51);
   std::uniform_real_distribution<> uniform(-1.0, 1.0);
   int machines = 0;

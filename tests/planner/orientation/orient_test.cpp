@@ -10,6 +10,7 @@
 #include "planner/orientation/corridor.hpp"
 #include "planner/orientation/exhaustive.hpp"
 #include "planner/orientation/pin_loop.hpp"
+#include "tests/cases.hpp"
 #include "tests/planner/orientation/strip.hpp"
 
 namespace volute::planner {
@@ -23,11 +24,6 @@ using testing::wall_beside_the_middle;
 std::array<double, 6> peaks(const OrientationReport& report) {
   return {report.first.velocity_max,  report.first.acceleration_max,  report.first.jerk_max,
           report.second.velocity_max, report.second.acceleration_max, report.second.jerk_max};
-}
-
-int cases(int by_default) {
-  const char* wanted = std::getenv("VOLUTE_CASES");
-  return wanted != nullptr ? std::atoi(wanted) : by_default;
 }
 
 TEST(Orient, WithoutObstaclesAStraightPassKeepsItsLean) {

@@ -8,16 +8,12 @@
 
 #include "planner/path/level_trace.hpp"
 #include "planner/surface/periodic_coordinate.hpp"
+#include "tests/cases.hpp"
 
 namespace volute::planner {
 namespace {
 
 using geometry::MeshTopology;
-
-int cases() {
-  const char* text = std::getenv("VOLUTE_CASES");
-  return text != nullptr ? std::atoi(text) : 20;
-}
 
 TriangleMesh ring(int around, int across, double inner_mm, double outer_mm) {
   TriangleMesh mesh;
@@ -51,7 +47,7 @@ std::vector<double> random_values(const TriangleMesh& mesh, unsigned seed) {
 TEST(LevelTrace, EveryLineIsClosedOrEndsOnTheBoundary) {
   const TriangleMesh mesh = ring(20, 6, 4.0, 10.0);
   const auto topology = MeshTopology::build(mesh);
-  for (int seed = 0; seed < cases(); ++seed) {
+  for (int seed = 0; seed < cases(20); ++seed) {
     SCOPED_TRACE(seed);
     const auto values = random_values(mesh, static_cast<unsigned>(seed));
     for (const LevelLine& line : trace_levels(mesh, *topology, {values, {}}, 0.5)) {
@@ -68,7 +64,7 @@ TEST(LevelTrace, EveryLineIsClosedOrEndsOnTheBoundary) {
 TEST(LevelTrace, EachTriangleAndLevelLiesInOneLine) {
   const TriangleMesh mesh = ring(20, 6, 4.0, 10.0);
   const auto topology = MeshTopology::build(mesh);
-  for (int seed = 0; seed < cases(); ++seed) {
+  for (int seed = 0; seed < cases(20); ++seed) {
     SCOPED_TRACE(seed);
     const auto values = random_values(mesh, static_cast<unsigned>(seed));
     std::map<Index, int> traced;

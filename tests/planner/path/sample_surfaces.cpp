@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/number_text.hpp"
+#include "tests/cases.hpp"
 
 namespace volute::planner::samples {
 
@@ -239,12 +240,6 @@ TriangleMesh stretched_plate(std::uint32_t seed, int holes) {
     h.y_mm += 2.0 * unit(random);
   }
   return plate(o);
-}
-
-int case_count(int otherwise) {
-  const char* text = std::getenv("VOLUTE_CASES");
-  if (text == nullptr) return otherwise;
-  return static_cast<int>(geometry::parse_integer(text).value_or(otherwise));
 }
 
 }  // namespace volute::planner::samples

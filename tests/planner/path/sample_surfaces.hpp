@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/mesh.hpp"
+#include "tests/cases.hpp"
 
 namespace volute::planner::samples {
 
@@ -49,8 +50,5 @@ TriangleMesh dome(double radius_mm, double opening_rad, int around, int across);
 /// A plate with that many holes (0 to 8), with grading, noise, bumps, jitter and cells stretched up to 4 to 1. The same
 /// seed gives the same surface.
 TriangleMesh random_plate(std::uint32_t seed, int holes);
-
-/// VOLUTE_CASES, or `otherwise`.
-int case_count(int otherwise);
 
 }  // namespace volute::planner::samples

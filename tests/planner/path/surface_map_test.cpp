@@ -7,6 +7,7 @@
 
 #include "planner/surface/geodesic_distance.hpp"
 #include "sample_surfaces.hpp"
+#include "tests/cases.hpp"
 
 namespace volute::planner {
 namespace {
@@ -56,9 +57,9 @@ TEST(RectangleMap, PutsTheCornersAndSidesOnTheRectangle) {
 }
 
 TEST(SurfaceMaps, NoTriangleFlipsOnRandomSurfaces) {
-  const int cases = samples::case_count(24);
+  const int plates = cases(24);
   int raised = 0;
-  for (int i = 0; i < cases; ++i) {
+  for (int i = 0; i < plates; ++i) {
     const auto annulus = make_annulus(samples::random_plate(static_cast<std::uint32_t>(1000 + i), i % 9));
     ASSERT_TRUE(annulus) << "seed " << 1000 + i << ": " << annulus.error().message;
     const auto rectangle = rectangle_map(*annulus);
@@ -73,8 +74,8 @@ TEST(SurfaceMaps, NoTriangleFlipsOnRandomSurfaces) {
 }
 
 TEST(SurfaceMaps, NoTriangleFlipsOnStretchedTrianglesAndUnevenDensity) {
-  const int cases = samples::case_count(4);
-  for (int i = 0; i < cases; ++i) {
+  const int plates = cases(4);
+  for (int i = 0; i < plates; ++i) {
     const auto seed = static_cast<std::uint32_t>(7000 + i);
     const auto annulus = make_annulus(samples::stretched_plate(seed, i % 5));
     ASSERT_TRUE(annulus) << "seed " << seed << ": " << annulus.error().message;

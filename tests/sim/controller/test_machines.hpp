@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/controller/control_run.hpp"
+#include "tests/cases.hpp"
 
 namespace volute::sim::test {
 
@@ -108,11 +109,6 @@ inline Ran run_blocks(const kinematics::Machine& machine, const kinematics::Cont
   if (!report) std::abort();
   run.report = *report;
   return run;
-}
-
-inline int cases(int otherwise) {
-  const char* text = std::getenv("VOLUTE_CASES");
-  return text ? std::max(1, std::atoi(text)) : otherwise;
 }
 
 }  // namespace volute::sim::test

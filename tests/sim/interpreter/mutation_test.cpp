@@ -7,6 +7,7 @@
 #include <random>
 
 #include "geometry/number_text.hpp"
+#include "tests/cases.hpp"
 #include "tests/sim/interpreter/reading.hpp"
 
 namespace volute::sim::test {
@@ -95,11 +96,9 @@ void expect_sound(const Reading& program) {
 }
 
 TEST(Mutation, EveryProgramEndsWithMotionsOrOneLine) {
-  const char* set = std::getenv("VOLUTE_CASES");
-  const auto asked = set != nullptr ? geometry::parse_integer(set) : std::nullopt;
-  const int cases = static_cast<int>(asked.value_or(3000));
+  const int programs = cases(3000);
   int refused = 0;
-  for (int i = 0; i < cases; ++i) {
+  for (int i = 0; i < programs; ++i) {
     const auto seed = static_cast<unsigned>(i);
     std::mt19937 random(seed);
     const Sample& sample = samples[static_cast<std::size_t>(i) % std::size(samples)];
@@ -110,8 +109,8 @@ TEST(Mutation, EveryProgramEndsWithMotionsOrOneLine) {
     refused += program.error ? 1 : 0;
     if (HasFailure()) return;
   }
-  EXPECT_GT(refused, cases / 2);
-  EXPECT_LT(refused, cases);
+  EXPECT_GT(refused, programs / 2);
+  EXPECT_LT(refused, programs);
 }
 
 TEST(Mutation, TheSamplesThemselvesAreRead) {

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "geometry/number_text.hpp"
+#include "tests/cases.hpp"
 #include "tests/sim/interpreter/program_writer.hpp"
 #include "tests/sim/interpreter/reading.hpp"
 
@@ -195,19 +196,13 @@ void expect_same(const std::vector<Canon>& theirs, const std::vector<Canon>& min
   }
 }
 
-int cases() {
-  const char* set = std::getenv("VOLUTE_CASES");
-  const auto value = set != nullptr ? geometry::parse_integer(set) : std::nullopt;
-  return static_cast<int>(value.value_or(25));
-}
-
 TEST(Rs274, RandomProgramsGiveTheSameMotions) {
   if (!rs274_installed())
     GTEST_SKIP() << "rs274 (Debian package linuxcnc-uspace) is not installed: nothing was compared";
   const auto folder = std::filesystem::temp_directory_path() / ("volute-rs274-" + std::to_string(getpid()));
   int compared = 0;
   std::size_t motions = 0;
-  for (int i = 0; i < cases(); ++i) {
+  for (int i = 0; i < cases(25); ++i) {
     const auto seed = static_cast<unsigned>(1000 + i);
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::string text = ProgramWriter(seed).write();
@@ -221,7 +216,7 @@ TEST(Rs274, RandomProgramsGiveTheSameMotions) {
     motions += mine.blocks.size();
   }
   std::printf("%d programs with %zu motions compared\n", compared, motions);
-  EXPECT_GT(compared, cases() / 2);
+  EXPECT_GT(compared, cases(25) / 2);
 }
 
 TEST(Rs274, AcceptsThePostsProgramAndMovesAlike) {

@@ -124,7 +124,7 @@ TEST(LineEntry, IsTheFirstPointOfTheSolidOnRandomLines) {
   std::mt19937_64 random(13);
   std::uniform_real_distribution<> uniform(-1.0, 1.0);
   int hits = 0;
-  for (int i = 0; i < test::cases(400); ++i) {
+  for (int i = 0; i < cases(400); ++i) {
     const auto cutters = every_cutter();
     const CutterProfile profile(cutters[static_cast<std::size_t>(i) % cutters.size()]);
     const StandingCutter cutter{Vec3(uniform(random), uniform(random), uniform(random)), test::random_unit(random)};
@@ -153,7 +153,7 @@ TEST(LineEntry, IsTheFirstPointOfTheSolidOnRandomLines) {
     EXPECT_LE(*entry, first + 1e-9);
     EXPECT_GE(*entry, first - 0.0101);
   }
-  EXPECT_GT(hits, test::cases(400) / 10);
+  EXPECT_GT(hits, cases(400) / 10);
 }
 
 }  // namespace

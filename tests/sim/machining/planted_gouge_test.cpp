@@ -60,7 +60,7 @@ void plant(std::vector<SweptPose>& poses, const Vec3& tip, const Vec3& axis, std
 }
 
 TEST(PlantedGouge, OfABallIsFoundAnywhereOnCurvedSurfacesAndNoneWithoutIt) {
-  const int count = test::cases(8);
+  const int count = cases(8);
   std::mt19937_64 random(31);
   std::uniform_real_distribution<> uniform(0.0, 1.0);
   double worst = 0.0;
@@ -88,7 +88,7 @@ TEST(PlantedGouge, OfABallIsFoundAnywhereOnCurvedSurfacesAndNoneWithoutIt) {
 
 /// The rim of a tilted flat end, or a small corner radius, dips in: a crescent down to hundredths of a millimetre wide.
 TEST(PlantedGouge, OfASharpTiltedEndIsFoundAnywhereAndNoneWithoutIt) {
-  const int count = test::cases(8);
+  const int count = cases(8);
   std::mt19937_64 random(32);
   std::uniform_real_distribution<> uniform(0.0, 1.0);
   for (int i = 0; i < count; ++i) {
@@ -154,7 +154,7 @@ double deepest_by_points(const CutterProfile& profile, const StandingCutter& sta
 
 /// On facets the deepest point may lie on an edge, where neither triangle holds its own foot: how much is missed then.
 TEST(PlantedGouge, OfASharpEndOnFacetsIsReadToAFraction) {
-  const int count = test::cases(4);
+  const int count = cases(4);
   std::mt19937_64 random(33);
   std::uniform_real_distribution<> uniform(0.0, 1.0);
   double worst = 0.0;

@@ -9,16 +9,12 @@
 
 #include "geometry/mesh.hpp"
 #include "sim/machining/cut_surface.hpp"
+#include "tests/cases.hpp"
 
 namespace volute::sim::test {
 
 using geometry::TriangleMesh;
 using geometry::Vec3;
-
-inline int cases(int modest) {
-  const char* text = std::getenv("VOLUTE_CASES");
-  return text != nullptr ? std::atoi(text) : modest;
-}
 
 /// A grid of (columns x rows) quads over [0, 1]^2 taken to space.
 inline TriangleMesh sheet(int columns, int rows, const std::function<Vec3(double, double)>& at) {
@@ -40,6 +36,11 @@ inline TriangleMesh sheet(int columns, int rows, const std::function<Vec3(double
 /// The horizontal square [0, side]^2 at z = 0.
 inline TriangleMesh plane(double side_mm, int cuts = 1) {
   return sheet(cuts, cuts, [=](double u, double v) { return Vec3(side_mm * u, side_mm * v, 0.0); });
+}
+
+/// A pose on a line of the program, 0.1 s a line.
+inline SweptPose pose_at(const Vec3& tip, const Vec3& axis = Vec3::UnitZ(), std::int64_t line = 1, bool rapid = false) {
+  return {{tip, axis}, line, 0.1 * static_cast<double>(line), rapid};
 }
 
 inline kinematics::Cutter ball(double radius_mm, double length_mm = 20.0) {

@@ -10,10 +10,7 @@ namespace volute::sim {
 namespace {
 
 using geometry::Vec3;
-
-SweptPose at(const Vec3& tip, const Vec3& axis = Vec3::UnitZ(), std::int64_t line = 1, bool rapid = false) {
-  return {{tip, axis}, line, 0.1 * static_cast<double>(line), rapid};
-}
+using test::pose_at;
 
 kinematics::Tool tool() {
   kinematics::Tool t;
@@ -33,8 +30,8 @@ const Finding* finding_of(const StockReport& report, const std::string& pair) {
 
 TEST(StockRun, VolumesByLineAddUp) {
   Stock stock = Stock::box({0, 0, 0}, {40, 40, 20}, 0.25);
-  const std::vector<SweptPose> poses{at({-5, 10, 18}, Vec3::UnitZ(), 1), at({45, 10, 18}, Vec3::UnitZ(), 2),
-                                     at({45, 20, 18}, Vec3::UnitZ(), 3), at({-5, 20, 18}, Vec3::UnitZ(), 4)};
+  const std::vector<SweptPose> poses{pose_at({-5, 10, 18}, Vec3::UnitZ(), 1), pose_at({45, 10, 18}, Vec3::UnitZ(), 2),
+                                     pose_at({45, 20, 18}, Vec3::UnitZ(), 3), pose_at({-5, 20, 18}, Vec3::UnitZ(), 4)};
   const auto report = run_through_stock(stock, tool(), poses, {});
   double sum = 0.0;
   for (const auto& l : report.removed) sum += l.removed_mm3;
@@ -51,7 +48,7 @@ TEST(StockRun, ShortBlocksShareTheGrooveEvenly) {
   Stock stock = Stock::box({0, 0, 0}, {40, 30, 12}, 0.1);
   const double r = 3.0, depth = 2.0, step = 0.05;
   std::vector<SweptPose> poses;
-  for (int k = 0; k <= 1000; ++k) poses.push_back(at({-5 + step * k, 15, 12 - depth}, Vec3::UnitZ(), k + 1));
+  for (int k = 0; k <= 1000; ++k) poses.push_back(pose_at({-5 + step * k, 15, 12 - depth}, Vec3::UnitZ(), k + 1));
   const auto report = run_through_stock(stock, tool(), poses, {});
   const double half = std::acos((r - depth) / r), section = r * r * (half - std::sin(half) * std::cos(half));
   int looked = 0;
@@ -68,9 +65,10 @@ TEST(StockRun, ShortBlocksShareTheGrooveEvenly) {
 
 TEST(StockRun, ARapidThroughStockIsFoundWithLineTimeAndPose) {
   Stock stock = Stock::box({0, 0, 0}, {40, 40, 20}, 0.25);
-  const auto report = run_through_stock(
-      stock, tool(),
-      std::vector<SweptPose>{at({-30, 10, 18}, Vec3::UnitZ(), 1, true), at({70, 10, 18}, Vec3::UnitZ(), 2, true)}, {});
+  const auto report = run_through_stock(stock, tool(),
+                                        std::vector<SweptPose>{pose_at({-30, 10, 18}, Vec3::UnitZ(), 1, true),
+                                                               pose_at({70, 10, 18}, Vec3::UnitZ(), 2, true)},
+                                        {});
   const Finding* found = finding_of(report, "cutter-stock");
   ASSERT_TRUE(found);
   EXPECT_EQ(found->kind, "collision");
@@ -80,17 +78,19 @@ TEST(StockRun, ARapidThroughStockIsFoundWithLineTimeAndPose) {
   EXPECT_NE(found->text.find("line 2"), std::string::npos);
   // The same at feed is what tools are for.
   Stock again = Stock::box({0, 0, 0}, {40, 40, 20}, 0.25);
-  EXPECT_TRUE(run_through_stock(
-                  again, tool(),
-                  std::vector<SweptPose>{at({-30, 10, 18}, Vec3::UnitZ(), 1), at({70, 10, 18}, Vec3::UnitZ(), 2)}, {})
-                  .findings.empty());
+  EXPECT_TRUE(
+      run_through_stock(
+          again, tool(),
+          std::vector<SweptPose>{pose_at({-30, 10, 18}, Vec3::UnitZ(), 1), pose_at({70, 10, 18}, Vec3::UnitZ(), 2)}, {})
+          .findings.empty());
 }
 
 /// The holder (radius 15, its face 20 over the tip) runs with its face 4 mm under the top of a wall at x = 10.
 TEST(StockRun, AHolderThatMeetsWhatIsLeftIsFoundWithTimeAndDepth) {
   for (const double grid : {0.25, 0.5}) {
     Stock stock = Stock::box({10, -60, 0}, {60, 60, 40}, grid);
-    const std::vector<SweptPose> poses{at({-90, 0, 16}, Vec3::UnitZ(), 1, true), at({-3, 0, 16}, Vec3::UnitZ(), 2)};
+    const std::vector<SweptPose> poses{pose_at({-90, 0, 16}, Vec3::UnitZ(), 1, true),
+                                       pose_at({-3, 0, 16}, Vec3::UnitZ(), 2)};
     const auto report = run_through_stock(stock, tool(), poses, {});
     const Finding* found = finding_of(report, "holder-stock");
     ASSERT_TRUE(found);
@@ -114,10 +114,10 @@ TEST(StockRun, AHolderIsFreeWhereTheCutterMadeRoom) {
   wide.holder = {};
   std::vector<SweptPose> clear;
   for (double x = 0.0; x <= 12.0; x += 6.0) {
-    clear.push_back(at({x, -20, 5}, Vec3::UnitZ(), 1));
-    clear.push_back(at({x, 60, 5}, Vec3::UnitZ(), 1));
+    clear.push_back(pose_at({x, -20, 5}, Vec3::UnitZ(), 1));
+    clear.push_back(pose_at({x, 60, 5}, Vec3::UnitZ(), 1));
   }
-  const std::vector<SweptPose> deep{at({6, -40, 5.5}, Vec3::UnitZ(), 7), at({6, 80, 5.5}, Vec3::UnitZ(), 8)};
+  const std::vector<SweptPose> deep{pose_at({6, -40, 5.5}, Vec3::UnitZ(), 7), pose_at({6, 80, 5.5}, Vec3::UnitZ(), 8)};
   kinematics::Tool small = tool();
   small.cutter = test::ball(1, 4);
   small.shank_radius_mm = 5;
@@ -132,11 +132,11 @@ TEST(StockRun, PuttingOffLooksLosesNothing) {
   std::mt19937_64 random(81);
   std::uniform_real_distribution<> uniform(-1.0, 1.0);
   int met = 0;
-  for (int i = 0; i < test::cases(12); ++i) {
+  for (int i = 0; i < cases(12); ++i) {
     std::vector<SweptPose> poses;
     for (int k = 0; k < 12; ++k) {
       const Vec3 axis = Vec3(0.6 * uniform(random), 0.6 * uniform(random), 1.0).normalized();
-      poses.push_back(at({35 * uniform(random), 35 * uniform(random), 21 + 8 * uniform(random)}, axis, k + 1));
+      poses.push_back(pose_at({35 * uniform(random), 35 * uniform(random), 21 + 8 * uniform(random)}, axis, k + 1));
     }
     Stock coarse = Stock::box({-20, -20, 0}, {20, 20, 25}, 0.5), fine = coarse;
     StockRunOptions often;
@@ -158,7 +158,7 @@ TEST(StockRun, DoesNotDependOnTheNumberOfThreads) {
   std::vector<SweptPose> poses;
   for (int k = 0; k < 60; ++k)
     poses.push_back(
-        at({-5.0 + k, 15 + 3 * std::sin(0.3 * k), 16}, Vec3(0.2 * std::sin(0.1 * k), 0.1, 1).normalized(), k));
+        pose_at({-5.0 + k, 15 + 3 * std::sin(0.3 * k), 16}, Vec3(0.2 * std::sin(0.1 * k), 0.1, 1).normalized(), k));
   Stock many = Stock::box({0, 0, 0}, {50, 30, 20}, 0.4), single = many;
   const auto a = run_through_stock(many, tool(), poses, {});
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);

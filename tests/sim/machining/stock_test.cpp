@@ -12,11 +12,8 @@ namespace volute::sim {
 namespace {
 
 using geometry::Vec3;
+using test::pose_at;
 constexpr double pi = std::numbers::pi;
-
-SweptPose at(const Vec3& tip, const Vec3& axis = Vec3::UnitZ(), std::int64_t line = 1, bool rapid = false) {
-  return {{tip, axis}, line, 0.1 * static_cast<double>(line), rapid};
-}
 
 double removed(Stock& stock, const kinematics::Cutter& cutter, const std::vector<SweptPose>& poses) {
   double sum = 0.0;
@@ -47,7 +44,8 @@ TEST(Stock, ABoxHasItsVolume) { EXPECT_NEAR(Stock::box({0, 0, 0}, {30, 20, 10}, 
 TEST(Stock, AFlatSlotRemovesALengthAndTwoHalfDiscs) {
   Stock stock = Stock::box({0, 0, 0}, {60, 30, 12}, 0.1);
   const double radius = 5.03, depth = 4.97;
-  const double volume = removed(stock, test::flat(radius, 30), {at({12, 15, 12 - depth}), at({48, 15, 12 - depth})});
+  const double volume =
+      removed(stock, test::flat(radius, 30), {pose_at({12, 15, 12 - depth}), pose_at({48, 15, 12 - depth})});
   const double expected = depth * (36.0 * 2 * radius + pi * radius * radius);
   EXPECT_NEAR(volume, expected, 0.005 * expected);
   EXPECT_NEAR(stock.volume_mm3() + volume, 60.0 * 30 * 12, 1e-6 * 21600);
@@ -56,7 +54,8 @@ TEST(Stock, AFlatSlotRemovesALengthAndTwoHalfDiscs) {
 TEST(Stock, ABallGrooveRemovesACircleSegmentTimesItsLength) {
   Stock stock = Stock::box({0, 0, 0}, {40, 30, 12}, 0.1);
   const double r = 4.0, depth = 2.5;  // right through the block, so the ends do not matter
-  const double volume = removed(stock, test::ball(r, 30), {at({-8, 15, 12 - depth}), at({48, 15, 12 - depth})});
+  const double volume =
+      removed(stock, test::ball(r, 30), {pose_at({-8, 15, 12 - depth}), pose_at({48, 15, 12 - depth})});
   const double half = std::acos((r - depth) / r), segment = r * r * (half - std::sin(half) * std::cos(half));
   EXPECT_NEAR(volume, 40.0 * segment, 0.005 * 40.0 * segment);
 }
@@ -65,7 +64,7 @@ TEST(Stock, ATiltedCylinderThroughAPlateRemovesAreaTimesLengthWithin) {
   Stock stock = Stock::box({0, 0, 0}, {40, 40, 10}, 0.1);
   const double tilt = 0.5, r = 4.0;
   const Vec3 axis(std::sin(tilt), 0, std::cos(tilt));
-  const double volume = removed(stock, test::flat(r, 60), {at(Vec3(20, 20, 5) - 30.0 * axis, axis)});
+  const double volume = removed(stock, test::flat(r, 60), {pose_at(Vec3(20, 20, 5) - 30.0 * axis, axis)});
   const double expected = pi * r * r * 10.0 / std::cos(tilt);
   EXPECT_NEAR(volume, expected, 0.005 * expected);
 }
@@ -73,7 +72,7 @@ TEST(Stock, ATiltedCylinderThroughAPlateRemovesAreaTimesLengthWithin) {
 TEST(Stock, BullAndTaperPlungesRemoveTheirOwnVolume) {
   const double R = 5.0, c = 1.5, depth = 6.0;
   Stock a = Stock::box({-10, -10, 0}, {10, 10, 10}, 0.1);
-  const double bull = removed(a, test::bull(R, c, 30), {at({0, 0, 10 - depth})});
+  const double bull = removed(a, test::bull(R, c, 30), {pose_at({0, 0, 10 - depth})});
   // A full cylinder less the ring outside the rounded rim (Pappus).
   const double corner = (1 - pi / 4) * c * c;
   // The spandrel's centroid lies (10 - 3 pi) / (12 - 3 pi) * c from the square's outer corner.
@@ -83,7 +82,7 @@ TEST(Stock, BullAndTaperPlungesRemoveTheirOwnVolume) {
 
   Stock b = Stock::box({-10, -10, 0}, {10, 10, 10}, 0.1);
   const double r = 2.0, t = 0.3;
-  const double taper = removed(b, test::taper_ball(r, t * 180 / pi, 30), {at({0, 0, 10 - depth})});
+  const double taper = removed(b, test::taper_ball(r, t * 180 / pi, 30), {pose_at({0, 0, 10 - depth})});
   const double z = r * (1 - std::sin(t)), rim = r * std::cos(t), top = rim + (depth - z) * std::tan(t);
   const double cap = pi * z * z * (r - z / 3), cone = pi * (depth - z) / 3 * (rim * rim + rim * top + top * top);
   EXPECT_NEAR(taper, cap + cone, 0.005 * (cap + cone));
@@ -96,7 +95,7 @@ TEST(Stock, SlantedMoveOfABallIsACapsuleWithinTheBlock) {
   const Vec3 way = Vec3(1, 0.5, -0.7).normalized();
   // Its sharp rim leaves straight steps between places, so they stand close here.
   double volume = 0.0;
-  const std::vector<SweptPose> way_poses{at(Vec3(-5, -3, 4)), at(Vec3(-5, -3, 4) + length * way)};
+  const std::vector<SweptPose> way_poses{pose_at(Vec3(-5, -3, 4)), pose_at(Vec3(-5, -3, 4) + length * way)};
   for (const double v : stock.cut(test::ball(r, r), way_poses, 0.0001)) volume += v;
   // A lower half ball swept: half balls at the ends, between them the projected area of the half ball across the way.
   const double along = std::abs(way.z());
@@ -107,7 +106,7 @@ TEST(Stock, SlantedMoveOfABallIsACapsuleWithinTheBlock) {
 
 TEST(Stock, CuttingTwiceRemovesNothingMore) {
   Stock stock = Stock::box({0, 0, 0}, {20, 20, 10}, 0.2);
-  const std::vector<SweptPose> poses{at({0, 5, 7}), at({20, 12, 6}, Vec3(0.2, 0, 1).normalized())};
+  const std::vector<SweptPose> poses{pose_at({0, 5, 7}), pose_at({20, 12, 6}, Vec3(0.2, 0, 1).normalized())};
   EXPECT_GT(removed(stock, test::ball(3, 20), poses), 0.0);
   EXPECT_EQ(removed(stock, test::ball(3, 20), poses), 0.0);
 }
@@ -128,7 +127,7 @@ TEST(Stock, SolidOfAClosedMeshHasItsVolumeAndAnOpenOneIsRefused) {
 
 TEST(Stock, SkinIsClosedAndHoldsTheVolume) {
   Stock stock = Stock::box({0, 0, 0}, {20, 16, 10}, 0.25);
-  removed(stock, test::ball(4, 20), {at({-6, 8, 6}), at({26, 9, 7}, Vec3(0, 0.3, 1).normalized())});
+  removed(stock, test::ball(4, 20), {pose_at({-6, 8, 6}), pose_at({26, 9, 7}, Vec3(0, 0.3, 1).normalized())});
   const auto skin = stock.skin();
   EXPECT_NEAR(mesh_volume(skin), stock.volume_mm3(), 0.01 * stock.volume_mm3());
   std::map<std::pair<int, int>, int> edges;  // every edge runs once each way
@@ -141,7 +140,8 @@ TEST(Stock, SkinIsClosedAndHoldsTheVolume) {
 }
 
 TEST(Stock, DoesNotDependOnTheNumberOfThreads) {
-  const std::vector<SweptPose> poses{at({0, 5, 7}), at({20, 12, 6}, Vec3(0.2, 0, 1).normalized()), at({3, 18, 5})};
+  const std::vector<SweptPose> poses{pose_at({0, 5, 7}), pose_at({20, 12, 6}, Vec3(0.2, 0, 1).normalized()),
+                                     pose_at({3, 18, 5})};
   Stock many = Stock::box({0, 0, 0}, {20, 20, 10}, 0.2), single = many;
   const auto a = many.cut(test::ball(3, 20), poses, 0.01);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);

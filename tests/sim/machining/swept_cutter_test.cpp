@@ -11,7 +11,7 @@ TEST(CapsuleEntry, EqualsTheLeastOfManyBalls) {
   std::mt19937_64 random(21);
   std::uniform_real_distribution<> uniform(-1.0, 1.0);
   int hits = 0;
-  for (int i = 0; i < test::cases(500); ++i) {
+  for (int i = 0; i < cases(500); ++i) {
     const Vec3 from = 2.0 * Vec3(uniform(random), uniform(random), uniform(random));
     const Vec3 to = i % 7 == 0 ? from : Vec3(from + 3.0 * Vec3(uniform(random), uniform(random), uniform(random)));
     const Vec3 direction = test::random_unit(random),
@@ -34,7 +34,7 @@ TEST(CapsuleEntry, EqualsTheLeastOfManyBalls) {
     ASSERT_TRUE(entry) << "case " << i;
     EXPECT_NEAR(*entry, least, 1e-5) << "case " << i;
   }
-  EXPECT_GT(hits, test::cases(500) / 10);
+  EXPECT_GT(hits, cases(500) / 10);
 }
 
 /// The lowest entry over a very fine row of standing cutters.
@@ -66,7 +66,7 @@ TEST(SweptCutter, EntryEqualsAFineRowOfStandingCuttersForEveryShape) {
   const std::vector<kinematics::Cutter> cutters{test::ball(2.0), test::flat(2.0), test::bull(3.0, 0.5),
                                                 test::taper_ball(1.0, 8.0)};
   int hits = 0;
-  for (int i = 0; i < test::cases(120); ++i) {
+  for (int i = 0; i < cases(120); ++i) {
     const auto& cutter = cutters[static_cast<std::size_t>(i) % cutters.size()];
     std::vector<SweptPose> poses;
     Vec3 tip(uniform(random), uniform(random), 0.0),
@@ -89,7 +89,7 @@ TEST(SweptCutter, EntryEqualsAFineRowOfStandingCuttersForEveryShape) {
     ++hits;
     EXPECT_NEAR(found->height_mm, *expected, 0.0015) << "case " << i << " shape " << static_cast<int>(cutter.shape);
   }
-  EXPECT_GT(hits, test::cases(120) / 4);
+  EXPECT_GT(hits, cases(120) / 4);
 }
 
 TEST(SweptCutter, FlankCutsAWallThatTheBallAlreadyPassed) {
