@@ -26,18 +26,23 @@ class CycleSampler {
  private:
   struct Mark {
     std::int64_t line = 0;
-    float tip_speed_mm_s = 0.0F;
     Limit limit = Limit::stop;
     std::int8_t axis = -1;
     bool rapid = false, cutting = false, feed = false;
   };
   void hold(const TimedCell& timed);
   void play(const PathCell& cell, const Phase& phase);
-  void push(const AxisVector& q, const Mark& mark);
+  [[nodiscard]] int cycles_within(double duration_s) const;
+  void take(int count, const Mark& mark);
+  void forget_marks(int half);
+  void rest_at(const AxisVector& q, std::int64_t cycles, const Mark& mark);
   void drain(Mark mark);
   void start_filter(const MotionLimits& limits);
+  void rest(int filter_cycles);
   void flush();
+  void write_samples();
 
+  static constexpr int lot = SampleColumns::size;
   double period_s_;
   Servo servo_;
   bool exact_servo_;
@@ -48,11 +53,16 @@ class CycleSampler {
   const MotionLimits* limits_ = nullptr;
   double wait_s_ = 0.0;  ///< until the next cycle, from where the path has been played to
   std::int64_t cycle_ = 0;
-  std::vector<Mark> marks_;  ///< of the cycles within half the filter: marks travel with the middle of the average
-  std::size_t next_mark_ = 0;
-  std::array<AxisSample, 64> chunk_;  ///< small enough to stay near the processor
-  std::size_t filled_ = 0;
-  const TipRates* tip_rates_ = nullptr;
+  /// Of the cycles within half the filter, and behind them of this lot: marks travel with the middle of the average.
+  std::vector<Mark> marks_;
+  std::vector<double> tip_speeds_;
+  std::size_t half_ = 0;
+  int filled_ = 0;  ///< cycles of this lot so far
+  SampleColumns columns_;
+  std::array<AxisSample, lot> samples_;
+  /// Of the cells of this lot, and which of them each cycle goes by; only where the servos leave errors.
+  std::vector<TipRates> tip_rates_;
+  std::array<std::size_t, lot> rates_of_{};
 };
 
 }  // namespace volute::sim

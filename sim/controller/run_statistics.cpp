@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/number_text.hpp"
+#include "sim/controller/column_kernels.hpp"
 #include "sim/controller/lanes.hpp"
 
 namespace volute::sim {
@@ -129,12 +130,38 @@ void RunStatistics::add_range(std::span<const AxisSample> samples) {
     lowest.segment<count>(first) = least;
     highest.segment<count>(first) = most;
   });
+  if (!add_range(lowest, highest))
+    for (const AxisSample& sample : samples) check_travel(sample);
+}
+
+bool RunStatistics::add_columns(const SampleColumns& samples, bool exact) {
+  if (samples.count == 0) return true;
+  report_.samples += samples.count;
+  const auto raise = [&](AxisVector& peaks, const SampleColumns::Columns& columns) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      double& peak = peaks[static_cast<Eigen::Index>(i)];
+      peak = std::max(peak, greatest_magnitude(columns[i].data(), samples.count));
+    }
+  };
+  raise(velocity_, samples.velocity);
+  raise(acceleration_, samples.acceleration);
+  raise(jerk_, samples.jerk);
+  if (!exact) raise(error_, samples.error);
+  AxisVector lowest = AxisVector::Constant(no_limit), highest = AxisVector::Constant(-no_limit);
+  for (std::size_t i = 0; i < samples.position.size(); ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    extend_range(samples.position[i].data(), samples.count, lowest[axis], highest[axis]);
+  }
+  return add_range(lowest, highest);
+}
+
+/// Whether a lot of samples with these ends is within the travels.
+bool RunStatistics::add_range(const AxisVector& lowest, const AxisVector& highest) {
   lowest_ = lowest_.cwiseMin(lowest);
   highest_ = highest_.cwiseMax(highest);
-  if ((lowest.array() >= travel_min_.array()).all() && (highest.array() <= travel_max_.array()).all())
-    outside_ = {};
-  else
-    for (const AxisSample& sample : samples) check_travel(sample);
+  const bool within = (lowest.array() >= travel_min_.array()).all() && (highest.array() <= travel_max_.array()).all();
+  if (within) outside_ = {};
+  return within;
 }
 
 void RunStatistics::add_contour_error(const AxisSample& sample, const AxisVector& following_error,

@@ -8,6 +8,7 @@
 
 #include "sim/controller/control_run.hpp"
 #include "sim/controller/path_point.hpp"
+#include "sim/controller/sample_columns.hpp"
 
 namespace volute::sim {
 
@@ -23,13 +24,17 @@ class RunStatistics {
   void end_block(const BlockInfo& block);
   /// Samples in order; each is told once.
   void add_samples(std::span<const AxisSample> samples);
+  /// The same, axis by axis. Returns whether every position is within its travel; else each sample is to be given to
+  /// check_travel. `exact`: the errors are zero and not looked at.
+  [[nodiscard]] bool add_columns(const SampleColumns& samples, bool exact);
+  void check_travel(const AxisSample& sample);
   /// What the servos leave across the tip's way at one of them.
   void add_contour_error(const AxisSample& sample, const AxisVector& following_error, const TipRates& tip_rates);
   [[nodiscard]] RunReport report() const;
 
  private:
   void add_range(std::span<const AxisSample> samples);
-  void check_travel(const AxisSample& sample);
+  [[nodiscard]] bool add_range(const AxisVector& lowest, const AxisVector& highest);
   void warn_of_jerk(RunReport& report) const;
 
   const kinematics::Machine& machine_;

@@ -16,4 +16,12 @@ Servo::Servo(const kinematics::Machine& machine, const kinematics::Control& cont
   }
 }
 
+void Servo::step(SampleColumns& samples) {
+  for (std::size_t i = 0; i < samples.error.size(); ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    for (int k = 0; k < samples.count; ++k)
+      samples.error[i][k] = error_[axis] = keep_[axis] * error_[axis] + gain_[axis] * samples.velocity[i][k];
+  }
+}
+
 }  // namespace volute::sim

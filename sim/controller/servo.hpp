@@ -3,6 +3,7 @@
 
 #include "kinematics/model/control.hpp"
 #include "kinematics/model/machine.hpp"
+#include "sim/controller/sample_columns.hpp"
 
 namespace volute::sim {
 
@@ -20,6 +21,8 @@ class Servo {
     error_ = keep_.cwiseProduct(error_) + gain_.cwiseProduct(velocity);
     return error_;
   }
+  /// The same for a lot of periods: sets `samples.error`.
+  void step(SampleColumns& samples);
 
  private:
   kinematics::AxisVector keep_ = kinematics::AxisVector::Zero(), gain_ = kinematics::AxisVector::Zero(),
