@@ -182,12 +182,16 @@ class BranchChoice {
               ? impossible
               : cost_[j] + seconds(motion(problem_.machine, candidates_[before].rotary[j], candidates_[i].rotary[j]));
       const std::size_t other = 1 - j;
+      steps_[i].from[j] = static_cast<std::int8_t>(j);
+      steps_[i].way[j] = Way::same;
+      cost[j] = stay;
+      if (!through_pole && stay <= cost_[other] + reposition_cost_s) continue;  // no change can be cheaper
       auto [change, way] = change_of_branch(before, i, other, j, through_pole);
       if (cost_[other] == impossible) change = impossible;
-      const bool stays = stay <= cost_[other] + change;
-      cost[j] = stays ? stay : cost_[other] + change;
-      steps_[i].from[j] = static_cast<std::int8_t>(stays ? j : other);
-      steps_[i].way[j] = stays ? Way::same : way;
+      if (stay <= cost_[other] + change) continue;
+      cost[j] = cost_[other] + change;
+      steps_[i].from[j] = static_cast<std::int8_t>(other);
+      steps_[i].way[j] = way;
     }
     cost_ = cost;
   }

@@ -35,7 +35,9 @@ constexpr double turn_rad = 2.0 * std::numbers::pi;
 
 /// The same angle in [-pi, pi].
 inline double within_half_turn(double angle_rad) {
-  return std::abs(angle_rad) <= std::numbers::pi ? angle_rad : std::remainder(angle_rad, turn_rad);
+  if (std::abs(angle_rad) <= std::numbers::pi) return angle_rad;
+  if (std::abs(angle_rad) < 1.5 * turn_rad) return angle_rad - std::copysign(turn_rad, angle_rad);  // exact, and quick
+  return std::remainder(angle_rad, turn_rad);
 }
 
 /// A rotary whose travel holds at least one whole turn: any angle can be shown, and turns are counted. The others are
