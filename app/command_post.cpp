@@ -15,6 +15,16 @@ namespace volute::app {
 
 namespace {
 
+/// What the control's own interpolation leaves between the tool path and the motion, before and after points were put
+/// in.
+std::string linearization_text(const kinematics::AxisPathReport& report) {
+  const auto degrees = [](double rad) { return geometry::short_text(geometry::Angle::radians(rad).degrees(), 2); };
+  return std::to_string(report.points_added) + " points put in; tip " +
+         geometry::short_text(report.chordal_error_mm, 2) + " -> " +
+         geometry::short_text(report.chordal_error_after_mm, 2) + " mm, axis " + degrees(report.rotary_error_rad) +
+         " -> " + degrees(report.rotary_error_after_rad) + " deg";
+}
+
 geometry::Result<int> post(const PostArguments& arguments, Context& context) {
   const auto profile = kinematics::load_profile(context.machines_folder(), arguments.machine);
   if (!profile) return tl::unexpected(profile.error());
@@ -40,20 +50,20 @@ geometry::Result<int> post(const PostArguments& arguments, Context& context) {
   path out = arguments.out;
   if (out.empty()) out = path(arguments.cl_file).replace_extension(profile->control.program_extension);
   if (auto written = geometry::write_file(out, posted->text); !written) return tl::unexpected(written.error());
-  const Json json{{"file", out.string()},
-                  {"dialect", profile->control.name},
-                  {"blocks", posted->blocks},
-                  {"bytes", posted->text.size()},
-                  {"points_added", posted->linearization.points_added},
-                  {"rewinds", posted->linearization.rewinds},
-                  {"pole_crossings", posted->linearization.pole_crossings},
-                  {"chordal_error_mm", posted->linearization.chordal_error_after_mm}};
+  const Json json{
+      {"file", out.string()},
+      {"dialect", profile->control.name},
+      {"blocks", posted->blocks},
+      {"bytes", posted->text.size()},
+      {"points_added", posted->linearization.points_added},
+      {"rewinds", posted->linearization.rewinds},
+      {"pole_crossings", posted->linearization.pole_crossings},
+      {"chordal_error_mm", posted->linearization.chordal_error_after_mm},
+      {"rotary_error_deg", geometry::Angle::radians(posted->linearization.rotary_error_after_rad).degrees()}};
   context.print(
       json,
       table_row("program", out.string() + ", " + std::to_string(posted->blocks) + " blocks, " + profile->control.name) +
-          table_row("linearization", std::to_string(posted->linearization.points_added) + " points put in; error " +
-                                         geometry::short_text(posted->linearization.chordal_error_after_mm, 3) +
-                                         " mm") +
+          table_row("linearization", linearization_text(posted->linearization)) +
           table_row("rewinds, pole crossings", std::to_string(posted->linearization.rewinds) + ", " +
                                                    std::to_string(posted->linearization.pole_crossings)));
   return exit_clean;
