@@ -41,7 +41,8 @@ class Stock {
   [[nodiscard]] const Eigen::AlignedBox3d& box() const { return box_mm_; }
   [[nodiscard]] double grid_mm() const { return grid_mm_; }
 
-  /// The skin of what is left as a closed mesh (one vertex a cell that the skin passes, at the mean of its crossings).
+  /// The skin of what is left as a mesh: one vertex for each sheet of the skin in a cell of nodes, at the mean of its
+  /// crossings. Property: closed and oriented outwards, every edge with two triangles, one ring of triangles a vertex.
   [[nodiscard]] geometry::TriangleMesh skin() const;
 
  private:
