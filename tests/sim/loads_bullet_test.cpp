@@ -3,12 +3,11 @@
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <memory>
-#include <random>
 
 #include "sim/loads.hpp"
 #include "tests/cases.hpp"
+#include "tests/sim/drive_states.hpp"
 
 namespace volute::sim {
 namespace {
@@ -80,32 +79,7 @@ void compare(const Machine& m, const std::vector<int>& axes, double sign, const 
 }
 
 TEST(DriveForces, GiveBackTheirAccelerationsInBulletOnEveryMachine) {
-  const int count = cases(100);
-  std::mt19937_64 random(52);
-  std::uniform_real_distribution<> uniform(-1.0, 1.0);
-  int machines = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(VOLUTE_SOURCE_DIR) / "machines")) {
-    if (entry.path().extension() != ".toml") continue;
-    const auto m = kinematics::load_machine(entry.path());
-    ASSERT_TRUE(m) << m.error().message;
-    ++machines;
-    const std::vector<int> head(m->chain.begin() + m->table_axes, m->chain.end());
-    std::vector<int> table(m->chain.begin(), m->chain.begin() + m->table_axes);
-    std::reverse(table.begin(), table.end());
-    for (int i = 0; i < count; ++i) {
-      AxisVector q, v, a;
-      for (int k = 0; k < 5; ++k) {
-        const double size = k < 3 ? 200.0 : 2.0;
-        q[k] = size * uniform(random);
-        v[k] = size * uniform(random);
-        a[k] = 5 * size * uniform(random);
-      }
-      const AxisVector load = drive_forces(*m, q, v, a);
-      compare(*m, head, 1.0, q, v, a, load);
-      compare(*m, table, -1.0, q, v, a, load);
-    }
-  }
-  EXPECT_GT(machines, 0);
+  test::for_both_sides_of_every_machine(cases(100), 52, compare);
 }
 
 }  // namespace
