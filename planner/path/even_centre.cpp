@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <queue>
@@ -75,7 +76,7 @@ class CentreSearch {
   }
 
   /// Every centre that was grown, with every number of arms; the best comes first.
-  [[nodiscard]] std::vector<Scored> run() const {
+  [[nodiscard]] std::vector<Scored> run() {
     std::vector<Centre> first;
     for (Index loop = 1; loop < static_cast<Index>(coarse_.topology.boundary_loops().size()); ++loop)
       first.push_back({loop, {}});
@@ -91,6 +92,12 @@ class CentreSearch {
       int& started = s.centre.has_loop() ? loops : slits;
       if (!(s.score < hopeless) || started == (s.centre.has_loop() ? options_.loop_starts : options_.starts)) continue;
       ++started;
+      const auto best = std::min_element(found.begin(), found.end(),
+                                         [](const Scored& a, const Scored& b) { return a.score < b.score; });
+      if (best != found.end() && s.score > options_.grown_within * best->score) {
+        found.push_back(s);
+        continue;
+      }
       found.push_back(moved_ends(s));
       for (int arm = 0; arm < options_.arms_max; ++arm) {
         const Scored more = one_arm_more(found.back());
@@ -100,6 +107,13 @@ class CentreSearch {
     }
     std::stable_sort(found.begin(), found.end(), [](const Scored& a, const Scored& b) { return a.score < b.score; });
     return found;
+  }
+
+  /// Equal for equal centres.
+  static std::vector<Index> key_of(const Centre& centre) {
+    std::vector<Index> key{centre.loop};
+    for (const Arm& arm : centre.arms) key.insert(key.end(), {arm.from, arm.to});
+    return key;
   }
 
  private:
@@ -148,7 +162,7 @@ class CentreSearch {
   }
 
   /// The best centre with an arm more, from what is there to a far point. A single slit may be met in its middle.
-  [[nodiscard]] Scored one_arm_more(const Scored& best) const {
+  [[nodiscard]] Scored one_arm_more(const Scored& best) {
     std::vector<Centre> more;
     std::vector<Centre> bases = {best.centre};
     if (const auto bent = with_middle(best.centre)) bases.push_back(*bent);
@@ -179,9 +193,22 @@ class CentreSearch {
     return Centre{geometry::no_index, {{middle, arm.from}, {middle, arm.to}}};
   }
 
-  [[nodiscard]] std::vector<Scored> scores(const std::vector<Centre>& centres) const {
+  /// Each centre is tried once, however often the moves lead to it.
+  [[nodiscard]] std::vector<Scored> scores(const std::vector<Centre>& centres) {
     std::vector<Scored> out(centres.size());
-    tbb::parallel_for(std::size_t{0}, centres.size(), [&](std::size_t i) { out[i] = {score(centres[i]), centres[i]}; });
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+      out[i].centre = centres[i];
+      const auto known = known_.find(key_of(centres[i]));
+      if (known != known_.end()) {
+        out[i].score = known->second;
+      } else {
+        open.push_back(i);
+      }
+    }
+    tbb::parallel_for(std::size_t{0}, open.size(),
+                      [&](std::size_t k) { out[open[k]].score = score(centres[open[k]]); });
+    for (std::size_t i : open) known_[key_of(centres[i])] = out[i].score;
     return out;
   }
 
@@ -190,7 +217,7 @@ class CentreSearch {
     constexpr double surcharge_pieces = 1.2;
     const auto domain = even_domain(coarse_, centre);
     if (!domain) return hopeless;
-    const auto solver = EvenFieldSolver::build(*domain, rule_, {}, std::nullopt);
+    const auto solver = EvenFieldSolver::build(*domain, rule_, options_.field, std::nullopt);
     if (!solver) return hopeless;
     EvenField field = solver->start();
     const std::vector<double> gain(domain->mesh.triangles.size(), 1.0);
@@ -213,7 +240,7 @@ class CentreSearch {
   }
 
   /// The ends moved in six directions each, a few moves at a time; the step shrinks where no move helps.
-  [[nodiscard]] Scored moved_ends(Scored best) const {
+  [[nodiscard]] Scored moved_ends(Scored best) {
     constexpr double gain_min = 2e-3;
     constexpr std::size_t batch =
         4;  // tried together, whatever the number of threads: the choice must not depend on it
@@ -268,6 +295,7 @@ class CentreSearch {
   CentreSearchOptions options_;
   std::vector<double> depth_mm_, room_mm_;  ///< from the outer boundary; from any boundary
   double deepest_mm_ = 0.0, room_least_mm_ = 0.0;
+  std::map<std::vector<Index>, double> known_;  ///< scores by loop and arms
 };
 
 /// The vertex nearest to a place; off the boundaries where asked.
@@ -353,7 +381,13 @@ Result<std::vector<Centre>> choose_centres(const EvenSurface& surface, const Int
         "no inner vertex has half a path interval of room around it: refine the mesh or lower the scallop");
   }
   std::vector<Centre> out;
-  for (const Scored& s : found) out.push_back(moved_centre(*coarse, s.centre, surface));
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto same = [&](const Scored& s) {
+      return CentreSearch::key_of(s.centre) == CentreSearch::key_of(found[i].centre);
+    };
+    const auto here = found.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::none_of(found.begin(), here, same)) out.push_back(moved_centre(*coarse, found[i].centre, surface));
+  }
   return out;
 }
 

@@ -6,6 +6,7 @@
 
 #include "planner/options.hpp"
 #include "planner/path/even_domain.hpp"
+#include "planner/path/even_field.hpp"
 
 namespace volute::planner {
 
@@ -17,8 +18,10 @@ struct CentreSearchOptions {
   int arms_max = 3;            ///< added to each
   int arm_targets = 8;         ///< points that an added arm may lead to
   double arm_gain_min = 0.01;  ///< share of the length that an arm must save
+  double grown_within = 1.12;  ///< times the best score so far: a start that is worse is kept as it is
   int moves_max = 30;          ///< tried for each
   int outer = 3, inner = 15;   ///< of each trial field
+  EvenFieldOptions field{.step = 20.0, .relaxation = 1.0};  ///< stiff: near enough after these few steps
 };
 
 /// `options.centre_loop` where the user names one. Else, the best first: each hole as the centre, and slits between

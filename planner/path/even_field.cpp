@@ -135,26 +135,30 @@ SparseMatrix EvenFieldSolver::reduction() const {
   return out;
 }
 
-Result<void> EvenFieldSolver::assemble() {
+void EvenFieldSolver::weigh() {
   const EvenDomain& domain = *domain_;
-  std::vector<double> usual_per_mm(domain.mesh.triangles.size());
-  hat_per_mm_.reserve(usual_per_mm.size());
-  for (std::size_t t = 0; t < usual_per_mm.size(); ++t) {
-    usual_per_mm[t] = 1.0 / rule_.interval_mm(0.5 * domain.curvature[t].trace());
-    weight_.push_back(options_.step / usual_per_mm[t]);
+  const std::size_t triangles = domain.mesh.triangles.size();
+  hat_per_mm_.reserve(triangles);
+  for (std::size_t t = 0; t < triangles; ++t) {
+    const double usual_mm = rule_.interval_mm(0.5 * domain.curvature[t].trace());
+    weight_.push_back(options_.step * usual_mm);
     hat_per_mm_.push_back(domain.operators[t].hat_per_mm);
     const auto corner = [&](int k) { return domain.theta.at_corner(domain.mesh, static_cast<Index>(t), k); };
     theta_slope_.push_back(domain.operators[t].gradient(corner(0), corner(1), corner(2)));
   }
   harmonic_direction_ = gradient(domain.mesh, domain.operators, domain.harmonic);
   for (Vec2& d : harmonic_direction_) d = unit_or(d, Vec2(1.0, 0.0));
-  const double usual = median(usual_per_mm);
-  const double bend = options_.bend / (usual * usual * usual);
+}
+
+Result<void> EvenFieldSolver::assemble(std::span<const double> bend_gain) {
+  const EvenDomain& domain = *domain_;
+  const double usual_mm = median(weight_) / options_.step;
+  const double bend = options_.bend * usual_mm * usual_mm * usual_mm;
   const auto areas = vertex_areas_mm2(domain.mesh);
   Eigen::VectorXd inner = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(areas.size()));
   for (std::size_t v = 0; v < areas.size(); ++v) {
     if (!domain.topology.is_boundary_vertex(static_cast<Index>(v)))
-      inner[static_cast<Eigen::Index>(v)] = bend / areas[v];
+      inner[static_cast<Eigen::Index>(v)] = bend * bend_gain[v] / areas[v];
   }
   const SparseMatrix reduce = reduction();
   const SparseMatrix laplacian = cotan_laplacian(domain.mesh), weighted = cotan_laplacian(domain.mesh, weight_);
@@ -172,10 +176,16 @@ Result<void> EvenFieldSolver::assemble() {
   const Eigen::VectorXd bent = as_vector(divergence(domain.mesh, domain.operators, theta_slope_)) - laplacian * held;
   const Eigen::VectorXd grown = as_vector(divergence(domain.mesh, domain.operators, weighted_slope)) - weighted * held;
   constant_load_ = reduced.transpose() * Eigen::VectorXd(inner.asDiagonal() * bent) + reduce.transpose() * grown;
+  if (solver_) return solver_->refactor(matrix);
   auto solver = SparseSolver::factor(matrix);
   if (!solver) return tl::unexpected(solver.error());
   solver_ = std::move(*solver);
   return {};
+}
+
+Result<void> EvenFieldSolver::stiffen(std::span<const double> bend_gain) {
+  VOLUTE_CHECK(bend_gain.size() == unknown_.size(), bend_gain.size(), unknown_.size());
+  return assemble(bend_gain);
 }
 
 Result<EvenFieldSolver> EvenFieldSolver::build(const EvenDomain& domain, const IntervalRule& rule,
@@ -184,7 +194,9 @@ Result<EvenFieldSolver> EvenFieldSolver::build(const EvenDomain& domain, const I
   VOLUTE_CHECK(!float_levels || float_levels->size() == domain.floating.size(), domain.floating.size());
   EvenFieldSolver out(domain, rule, options);
   out.number_unknowns(float_levels);
-  if (auto done = out.assemble(); !done) return tl::unexpected(done.error());
+  out.weigh();
+  const std::vector<double> ones(domain.mesh.vertices_mm.size(), 1.0);
+  if (auto done = out.assemble(ones); !done) return tl::unexpected(done.error());
   return out;
 }
 
@@ -293,8 +305,10 @@ Eigen::VectorXd EvenFieldSolver::step(EvenField& field, std::span<const double> 
     const auto& c = domain.mesh.triangles[t];
     const auto& hat = hat_per_mm_[t];
     const Vec2 slope = field.phi[at(c[0])] * hat[0] + field.phi[at(c[1])] * hat[1] + field.phi[at(c[2])] * hat[2];
-    const Vec2 z = slope - theta_slope_[t] + field.dual[t];
-    const Vec2 q = nearest_allowed(z, field.direction[t], needed[t], options_.excess, weight_[t]);
+    const Vec2 now = slope - theta_slope_[t];
+    const Vec2 nearest =
+        nearest_allowed(now + field.dual[t], field.direction[t], needed[t], options_.excess, weight_[t]);
+    const Vec2 q = options_.relaxation * nearest + (1.0 - options_.relaxation) * now;
     // The dual of the last step, its q taken off; the slope that the coming solve gives is added in the next step.
     const Vec2 flux = (q - field.dual[t]) * (weight_[t] * domain.operators[t].area_mm2);
     field.dual[t] -= q;

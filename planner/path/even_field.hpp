@@ -15,7 +15,8 @@ namespace volute::planner {
 struct EvenFieldOptions {
   double bend = 1.0;         ///< cost of |Laplacian|^2: higher gives rounder turns at the holes, and a longer path
   double excess = 0.05;      ///< mu: cost of (|q| L)^2 beside |q| L; a little keeps the optimum unique
-  double step = 20.0;        ///< rho of ADMM: speed only
+  double step = 10.0;        ///< rho of ADMM: small, and directions turn freely; large, and few steps hold q . d >= g
+  double relaxation = 1.7;   ///< of ADMM, 1 to 2: speed only
   double cone_rad = 1.2;     ///< the gradient stays this near the harmonic one: no critical points
   int direction_rounds = 2;  ///< averages of the direction over neighbours, per update
 };
@@ -40,6 +41,9 @@ class EvenFieldSolver {
                                        const EvenFieldOptions& options,
                                        const std::optional<std::vector<double>>& float_levels);
 
+  /// Multiplies the cost of bending, vertex by vertex (1 each at first). Errors: as SparseSolver::factor.
+  Result<void> stiffen(std::span<const double> bend_gain);
+
   /// Harmonic slit map (0 outside, 1 at the centre, no flux through the floating holes), its levels stretched so that
   /// the gradient reaches 1 / L on 99 % of each.
   [[nodiscard]] EvenField start() const;
@@ -54,7 +58,8 @@ class EvenFieldSolver {
   EvenFieldSolver(const EvenDomain& domain, const IntervalRule& rule, const EvenFieldOptions& options);
   void number_unknowns(const std::optional<std::vector<double>>& float_levels);
   [[nodiscard]] SparseMatrix reduction() const;
-  Result<void> assemble();
+  void weigh();
+  Result<void> assemble(std::span<const double> bend_gain);
   [[nodiscard]] std::vector<double> values(const Eigen::VectorXd& unknowns) const;
   [[nodiscard]] Eigen::VectorXd load(std::span<const double> corner_load) const;
   [[nodiscard]] Eigen::VectorXd step(EvenField& field, std::span<const double> needed,

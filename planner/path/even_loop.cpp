@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "geometry/number_text.hpp"
 #include "planner/path/even_prolong.hpp"
 #include "planner/path/even_rounding.hpp"
+#include "planner/path/path_measure.hpp"
 #include "planner/path/point_grid.hpp"
 
 namespace volute::planner {
 namespace {
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+constexpr double area_above_max_percent = 0.15;  ///< of the area, over the allowed scallop
 
 double length_of(const CcPath& path) {
   double sum = 0.0;
@@ -23,10 +26,18 @@ double length_of(const CcPath& path) {
   return sum;
 }
 
-/// The gain of this round: where the scallop is too high, the square root of its ratio, spread over most of an
-/// interval.
-std::vector<double> correction(const EvenDomain& domain, const std::vector<double>& worst_ratio, double reach_mm,
-                               double step_max) {
+/// Heights grow with the square of the interval. Where single places are too high, they are taken down to what a place
+/// may have; where too much of the area is, each a little more than its height asks for: with the root alone the
+/// others come back round by round.
+double gain_for(double ratio, bool much_area, double step_max) {
+  constexpr double place_ratio = 1.05, eager_max = 1.05;
+  if (!much_area) return std::clamp(std::sqrt(ratio / place_ratio), 1.0, step_max);
+  return std::min(std::max(std::sqrt(ratio), std::min(ratio * std::sqrt(ratio), eager_max)), step_max);
+}
+
+/// The gain of this round: where the scallop is too high, spread over most of an interval.
+std::vector<double> correction(const EvenDomain& domain, const std::vector<double>& worst_ratio, bool much_area,
+                               double reach_mm, double step_max) {
   const auto& triangles = domain.mesh.triangles;
   std::vector<Vec3> middles;
   for (const auto& t : triangles) {
@@ -38,7 +49,7 @@ std::vector<double> correction(const EvenDomain& domain, const std::vector<doubl
   std::vector<double> gain(triangles.size(), 1.0);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (worst_ratio[t] <= 1.0) continue;
-    const double value = std::min(std::sqrt(worst_ratio[t]), step_max);
+    const double value = gain_for(worst_ratio[t], much_area, step_max);
     grid.near(middles[t], reach_mm, [&](Index i) {
       if ((middles[at(i)] - middles[t]).norm() <= reach_mm) gain[at(i)] = std::max(gain[at(i)], value);
     });
@@ -59,16 +70,37 @@ std::vector<double> correction(const EvenDomain& domain, const std::vector<doubl
 }
 
 /// How far a round is past what it should hold; less is better, and among equals the shorter path.
-double fault(const EvenRound& round) {
+double fault(const EvenRound& round, int sharp_max) {
+  constexpr double one_corner = 0.02;  // as bad as so much of the scallop
   const ScallopStatistics& s = round.scallop;
   return std::max(0.0, s.p9999_ratio - 1.05) + std::max(0.0, s.max_ratio - 1.10) +
-         std::max(0.0, s.area_above_percent - 0.15);
+         std::max(0.0, s.area_above_percent - area_above_max_percent) +
+         one_corner * std::max(0, round.sharp_corners - sharp_max);
 }
 
-bool better(const EvenRound& a, const EvenRound& b) {
+bool better(const EvenRound& a, const EvenRound& b, int sharp_max) {
   if ((a.path.pieces == 1) != (b.path.pieces == 1)) return a.path.pieces == 1;
-  if (fault(a) != fault(b)) return fault(a) < fault(b);
+  if (fault(a, sharp_max) != fault(b, sharp_max)) return fault(a, sharp_max) < fault(b, sharp_max);
   return a.length_mm < b.length_mm;
+}
+
+/// Bending made dearer within two intervals of the sharp places; false where nothing changed.
+bool stiffen_around(const EvenDomain& domain, const std::vector<Vec3>& sharp_mm, double reach_mm,
+                    const EvenLoopOptions& options, std::vector<double>& bend_gain) {
+  const PointGrid grid(domain.mesh.vertices_mm, reach_mm);
+  std::vector<char> near(bend_gain.size(), 0);
+  for (const Vec3& place : sharp_mm) {
+    grid.near(place, reach_mm, [&](Index v) {
+      if ((domain.mesh.vertices_mm[at(v)] - place).norm() <= reach_mm) near[at(v)] = 1;
+    });
+  }
+  bool changed = false;
+  for (std::size_t v = 0; v < near.size(); ++v) {
+    if (near[v] == 0 || bend_gain[v] >= options.stiffening_max) continue;
+    bend_gain[v] *= options.stiffening;
+    changed = true;
+  }
+  return changed;
 }
 
 /// Rounds the corners and puts what moved back onto the surface.
@@ -86,48 +118,103 @@ void round_on_surface(const EvenDomain& domain, CcPiece& piece, double interval_
   }
 }
 
+/// Adds the piece's corners over 60 degrees: their number by the report's own measure, and their places.
+void find_corners(const CcPiece& piece, double interval_mm, EvenRound& round) {
+  constexpr double sharp_rad = std::numbers::pi / 3.0;
+  const double spacing_mm = interval_mm / 16.0;
+  const auto points = even_points(piece, spacing_mm);
+  round.sharp_corners += static_cast<int>(corner_angles_rad(points, spacing_mm, 0.5 * interval_mm, sharp_rad).size());
+  const auto places = sharp_places_mm(piece, interval_mm, sharp_rad);
+  round.sharp_mm.insert(round.sharp_mm.end(), places.begin(), places.end());
+}
+
 EvenRound trace_round(const EvenDomain& domain, const IntervalRule& rule, const EvenField& field,
                       std::vector<double>& worst) {
   EvenRound round;
   round.field = field;
   round.path = even_path(domain, field, rule.interval_mm(0.0));
   round.cc = cc_path_of(domain, round.path);
-  for (CcPiece& piece : round.cc.pieces) round_on_surface(domain, piece, rule.interval_mm(0.0));
+  for (CcPiece& piece : round.cc.pieces) {
+    round_on_surface(domain, piece, rule.interval_mm(0.0));
+    fill_bends(piece, rule.interval_mm(0.0));
+    find_corners(piece, rule.interval_mm(0.0), round);
+  }
   round.length_mm = length_of(round.cc);
-  ScallopMap map = measure_scallop(domain.mesh, domain.vertex_normals, round.cc, rule.radius_mm, rule.scallop_mm);
+  ScallopMap map = measure_scallop(domain.mesh, domain.vertex_normals, round.cc, rule.radius_mm, rule.scallop_mm,
+                                   {.exact_from_ratio = 0.9});
   round.scallop = map.statistics;
   worst = std::move(map.worst_ratio);
   return round;
 }
 
+struct Corrections {
+  std::vector<double> gain;       ///< of the needed gradient, per triangle
+  std::vector<double> bend_gain;  ///< of the cost of bending, per vertex
+};
+
+struct LoopContext {
+  const EvenDomain& domain;
+  const IntervalRule& rule;
+  const EvenLoopOptions& options;
+};
+
+/// Answers what a round left, and takes the field on.
+Result<void> correct(const LoopContext& in, const EvenRound& round, const std::vector<double>& worst, Corrections& made,
+                     EvenFieldSolver& solver, EvenField& field) {
+  const double interval_mm = in.rule.interval_mm(0.0);
+  const bool much_area = round.scallop.area_above_percent > area_above_max_percent;
+  const auto step = correction(in.domain, worst, much_area, 0.7 * interval_mm, in.options.gain_step_max);
+  for (std::size_t t = 0; t < step.size(); ++t) made.gain[t] = std::min(made.gain[t] * step[t], in.options.gain_max);
+  int outer = in.options.round_outer;
+  if (round.sharp_corners > in.options.sharp_max &&
+      stiffen_around(in.domain, round.sharp_mm, 2.0 * interval_mm, in.options, made.bend_gain)) {
+    if (auto stiff = solver.stiffen(made.bend_gain); !stiff) return stiff;
+    outer = in.options.stiffened_outer;
+  }
+  solver.improve(field, made.gain, outer, in.options.round_inner);
+  return {};
+}
+
 }  // namespace
 
 Result<FirstField> first_field(const EvenDomain& domain, const IntervalRule& rule, const EvenLoopOptions& options) {
-  const auto solver = EvenFieldSolver::build(domain, rule, options.field, std::nullopt);
+  const auto solver = EvenFieldSolver::build(domain, rule, options.first_field, std::nullopt);
   if (!solver) return tl::unexpected(solver.error());
   EvenField field = solver->start();
   const std::vector<double> gain(domain.mesh.triangles.size(), 1.0);
-  solver->improve(field, gain, options.first_outer, options.first_inner);
+  solver->improve(field, gain, options.trial_outer, options.trial_inner);
   auto slopes = solver->slopes(field);
   return FirstField{std::move(field), std::move(slopes)};
+}
+
+Result<void> settle_first_field(const EvenDomain& domain, const IntervalRule& rule, const EvenLoopOptions& options,
+                                EvenField& field) {
+  const auto solver = EvenFieldSolver::build(domain, rule, options.first_field, std::nullopt);
+  if (!solver) return tl::unexpected(solver.error());
+  const std::vector<double> gain(domain.mesh.triangles.size(), 1.0);
+  solver->improve(field, gain, options.first_outer, options.first_inner);
+  return {};
 }
 
 Result<EvenRound> even_rounds(EvenDomain& domain, EvenField field, const IntervalRule& rule,
                               const EvenLoopOptions& options) {
   const auto levels = settled_levels(domain, field);
-  const auto solver = EvenFieldSolver::build(domain, rule, options.field, levels);
+  auto solver = EvenFieldSolver::build(domain, rule, options.field, levels);
   if (!solver) return tl::unexpected(solver.error());
-  std::vector<double> gain(domain.mesh.triangles.size(), 1.0), worst;
-  solver->improve(field, gain, options.settle_outer, options.settle_inner);
+  Corrections made{std::vector<double>(domain.mesh.triangles.size(), 1.0),
+                   std::vector<double>(domain.mesh.vertices_mm.size(), 1.0)};
+  solver->improve(field, made.gain, options.settle_outer, options.settle_inner);
   std::optional<EvenRound> best;
-  const double reach_mm = 0.7 * rule.interval_mm(0.0);
+  std::vector<double> worst;
   for (int r = 0; r <= options.rounds; ++r) {
     EvenRound round = trace_round(domain, rule, field, worst);
-    if (!best || better(round, *best)) best = std::move(round);
-    if (r == options.rounds || (best->path.pieces == 1 && fault(*best) == 0.0)) break;
-    const auto step = correction(domain, worst, reach_mm, options.gain_step_max);
-    for (std::size_t t = 0; t < gain.size(); ++t) gain[t] = std::min(gain[t] * step[t], options.gain_max);
-    solver->improve(field, gain, options.round_outer, options.round_inner);
+    const bool last = r == options.rounds || (round.path.pieces == 1 && fault(round, options.sharp_max) == 0.0);
+    if (!last) {
+      const auto corrected = correct({domain, rule, options}, round, worst, made, *solver, field);
+      if (!corrected) return tl::unexpected(corrected.error());
+    }
+    if (!best || better(round, *best, options.sharp_max)) best = std::move(round);
+    if (last) break;
   }
   if (best->path.pieces != 1) {
     return geometry::bad_input("path-even-broken",

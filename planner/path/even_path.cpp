@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "geometry/check.hpp"
@@ -153,6 +154,22 @@ Vec3 on_edge_curve(const EvenDomain& domain, const SurfacePoint& p) {
       .point_mm(p.t);
 }
 
+double mean_turn(const EvenField& field, const LevelLine& line) {
+  double sum = 0.0;
+  for (const SurfacePoint& p : line.points) sum += value_at(field.phi, p);
+  return sum / static_cast<double>(line.points.size());
+}
+
+/// A ring no longer than the circle of one interval across: around a vertex that stands out of the field. The passes
+/// beside it cover what it encloses, and the scallop map sees where they do not.
+bool is_ripple(const EvenDomain& domain, const LevelLine& line, double interval_mm) {
+  if (!line.closed) return false;
+  const auto places = positions(domain.mesh, line.points);
+  double length_mm = (places.front() - places.back()).norm();
+  for (std::size_t i = 1; i < places.size(); ++i) length_mm += (places[i] - places[i - 1]).norm();
+  return length_mm <= std::numbers::pi * interval_mm;
+}
+
 bool same_place(const CcPoint& a, const CcPoint& b) {
   constexpr double same_point_mm = 1e-6;
   return (a.point_P_mm - b.point_P_mm).norm() < same_point_mm;
@@ -173,9 +190,7 @@ EvenPath even_path(const EvenDomain& domain, const EvenField& field, double inte
   out.points = boundary_half_turn(domain, main.points.front());
   const double last_turn = append_spiral(domain, field, main, interval_mm, out);
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    double turn = 0.0;
-    for (const SurfacePoint& p : lines[i].points) turn += value_at(field.phi, p);
-    if (turn / static_cast<double>(lines[i].points.size()) < last_turn) ++out.pieces;
+    if (mean_turn(field, lines[i]) < last_turn && !is_ripple(domain, lines[i], interval_mm)) ++out.pieces;
   }
   return out;
 }

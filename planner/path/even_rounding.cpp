@@ -23,12 +23,30 @@ class ByLength {
     const auto above = std::upper_bound(length_mm_.begin() + 1, length_mm_.end() - 1, s_mm);
     const auto i = static_cast<std::size_t>(above - length_mm_.begin());
     const CcPoint &a = points_[i - 1], &b = points_[i];
-    const double span = length_mm_[i] - length_mm_[i - 1];
-    const double share = span > 0.0 ? std::clamp((s_mm - length_mm_[i - 1]) / span, 0.0, 1.0) : 0.0;
+    const double share = share_at(i, s_mm);
     CcPoint out = a;
     out.point_P_mm += share * (b.point_P_mm - a.point_P_mm);
     out.normal_P = ((1.0 - share) * a.normal_P + share * b.normal_P).normalized();
     out.turn += share * (b.turn - a.turn);
+    return out;
+  }
+
+  /// Positions and turns at even steps from the start.
+  struct Place {
+    Vec3 point_P_mm;
+    double turn;
+  };
+  [[nodiscard]] std::vector<Place> evenly(double step_mm) const {
+    const auto count = static_cast<std::size_t>(total_mm() / step_mm) + 1;
+    std::vector<Place> out;
+    out.reserve(count);
+    for (std::size_t k = 0, i = 1; k < count; ++k) {
+      const double s_mm = static_cast<double>(k) * step_mm;
+      while (i + 1 < length_mm_.size() && length_mm_[i] <= s_mm) ++i;
+      const CcPoint &a = points_[i - 1], &b = points_[i];
+      const double share = share_at(i, s_mm);
+      out.push_back({a.point_P_mm + share * (b.point_P_mm - a.point_P_mm), a.turn + share * (b.turn - a.turn)});
+    }
     return out;
   }
 
@@ -44,20 +62,31 @@ class ByLength {
   }
 
  private:
+  /// Of the way from point i - 1 to point i.
+  [[nodiscard]] double share_at(std::size_t i, double s_mm) const {
+    const double span = length_mm_[i] - length_mm_[i - 1];
+    return span > 0.0 ? std::clamp((s_mm - length_mm_[i - 1]) / span, 0.0, 1.0) : 0.0;
+  }
+
   const std::vector<CcPoint>& points_;
   std::vector<double> length_mm_;
 };
 
+constexpr std::size_t steps_per_interval = 16;
+
 /// Places of the sharpest angle in each run of sharp ones, mm along the path.
 std::vector<double> corners_mm(const ByLength& path, double interval_mm, double angle_rad) {
-  const double chord_mm = 0.5 * interval_mm, step_mm = interval_mm / 16.0;
+  constexpr std::size_t chord = steps_per_interval / 2;
+  const double step_mm = interval_mm / static_cast<double>(steps_per_interval), chord_mm = 0.5 * interval_mm;
+  const auto places = path.evenly(step_mm);
   std::vector<double> out;
   double sharpest = 0.0;
-  for (double s = 2.0 * chord_mm; s <= path.total_mm() - 2.0 * chord_mm; s += step_mm) {
-    const Vec3 here = path.point(s).point_P_mm;
-    const Vec3 before = here - path.point(s - chord_mm).point_P_mm, after = path.point(s + chord_mm).point_P_mm - here;
+  for (std::size_t i = 2 * chord; i + 2 * chord < places.size(); ++i) {
+    const Vec3& here = places[i].point_P_mm;
+    const Vec3 before = here - places[i - chord].point_P_mm, after = places[i + chord].point_P_mm - here;
     const double angle = std::atan2(before.cross(after).norm(), before.dot(after));
-    if (angle <= angle_rad || path.point(s).turn <= 0.0) continue;
+    if (angle <= angle_rad || places[i].turn <= 0.0) continue;
+    const double s = static_cast<double>(i) * step_mm;
     if (out.empty() || s - out.back() > 2.0 * chord_mm) {
       out.push_back(s);
       sharpest = angle;
@@ -87,6 +116,7 @@ std::vector<char> round_corners(CcPiece& piece, double interval_mm, const Roundi
         const double off = (s - *c) / (options.window_intervals * interval_mm), share = 1.0 - off * off;
         widest = std::max(widest, share * share * options.reach_intervals * interval_mm);
       }
+      if (widest <= 0.0) return 0.0;
       return path.point(s).turn > 0.0 ? std::min({widest, s, path.total_mm() - s}) : 0.0;
     };
     CcPiece rounded;
@@ -115,6 +145,43 @@ std::vector<char> round_corners(CcPiece& piece, double interval_mm, const Roundi
     moved = std::move(now);
   }
   return moved;
+}
+
+void fill_bends(CcPiece& piece, double interval_mm) {
+  VOLUTE_CHECK(interval_mm > 0.0, interval_mm);
+  constexpr double bend_rad = 0.2;
+  const double spacing_mm = 0.1 * interval_mm;
+  const auto& points = piece.points;
+  std::vector<char> filled(points.size(), 0);  // the chord behind each point
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const Vec3 before = points[i].point_P_mm - points[i - 1].point_P_mm;
+    const Vec3 after = points[i + 1].point_P_mm - points[i].point_P_mm;
+    if (std::atan2(before.cross(after).norm(), before.dot(after)) > bend_rad) filled[i] = filled[i + 1] = 1;
+  }
+  CcPiece out;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (filled[i] != 0) {
+      const CcPoint &a = points[i - 1], &b = points[i];
+      const auto parts = std::ceil((b.point_P_mm - a.point_P_mm).norm() / spacing_mm);
+      for (double k = 1.0; k < parts; ++k) {
+        const double share = k / parts;
+        out.points.push_back({a.point_P_mm + share * (b.point_P_mm - a.point_P_mm),
+                              ((1.0 - share) * a.normal_P + share * b.normal_P).normalized(),
+                              a.turn + share * (b.turn - a.turn), b.link});
+      }
+    }
+    out.points.push_back(points[i]);
+  }
+  piece = std::move(out);
+}
+
+std::vector<Vec3> sharp_places_mm(const CcPiece& piece, double interval_mm, double angle_rad) {
+  VOLUTE_CHECK(interval_mm > 0.0, interval_mm);
+  std::vector<Vec3> out;
+  if (piece.points.size() < 3) return out;
+  const ByLength path(piece);
+  for (double s : corners_mm(path, interval_mm, angle_rad)) out.push_back(path.point(s).point_P_mm);
+  return out;
 }
 
 }  // namespace volute::planner

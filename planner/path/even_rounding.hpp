@@ -21,4 +21,14 @@ struct RoundingOptions {
 /// past the greatest one before.
 std::vector<char> round_corners(CcPiece& piece, double interval_mm, const RoundingOptions& options = {});
 
+/// Fills the chords beside every bend over 0.2 rad with points a tenth of an interval apart. A spline through the bend
+/// alone swings out by as much as two sparse points let it; with these it keeps to the chords that scallops were
+/// measured on. Requires: interval_mm > 0. Properties: 1. The polyline stays the same line. 2. Straight stretches stay
+/// as they are.
+void fill_bends(CcPiece& piece, double interval_mm);
+
+/// Places where chords of half an interval before and behind differ by more than `angle_rad`, the sharpest of each run;
+/// none on the run along the outer boundary, which nothing can round. Requires: interval_mm > 0.
+std::vector<Vec3> sharp_places_mm(const CcPiece& piece, double interval_mm, double angle_rad);
+
 }  // namespace volute::planner

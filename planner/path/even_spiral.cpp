@@ -1,8 +1,12 @@
 #include "planner/path/even_spiral.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <span>
 
 #include "geometry/mesh_measure.hpp"
 #include "planner/path/even_centre.hpp"
@@ -118,8 +122,26 @@ Result<Finalist> finalist_of(const EvenSurface& coarse, const Centre& centre, co
   return Finalist{centre, std::move(*domain), std::move(first->field), promised_mm};
 }
 
-Result<Planned> planned_around(const EvenSurface& surface, const EvenSurface& coarse, const Finalist& finalist,
+/// The finalists, the shortest first; the last error where there is none.
+Result<std::vector<Finalist>> finalists_of(const EvenSurface& coarse, std::span<const Centre> centres,
+                                           const IntervalRule& rule, double ramp_share) {
+  std::vector<std::optional<Result<Finalist>>> tried(centres.size());
+  tbb::parallel_for(std::size_t{0}, tried.size(),
+                    [&](std::size_t i) { tried[i] = finalist_of(coarse, centres[i], rule, ramp_share); });
+  std::vector<Finalist> out;
+  for (auto& finalist : tried) {
+    if (*finalist) out.push_back(std::move(**finalist));
+  }
+  if (out.empty()) return tl::unexpected((*tried.back()).error());
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Finalist& a, const Finalist& b) { return a.promised_mm < b.promised_mm; });
+  return out;
+}
+
+Result<Planned> planned_around(const EvenSurface& surface, const EvenSurface& coarse, Finalist& finalist,
                                const IntervalRule& rule, double ramp_share) {
+  if (auto settled = settle_first_field(finalist.domain, rule, EvenLoopOptions{}, finalist.field); !settled)
+    return tl::unexpected(settled.error());
   auto domain = even_domain(surface, moved_centre(coarse, finalist.centre, surface), ramp_share);
   if (!domain) return tl::unexpected(domain.error());
   auto round = even_rounds(*domain, prolonged(finalist.domain, finalist.field, *domain), rule, EvenLoopOptions{});
@@ -160,19 +182,11 @@ Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& ru
   const auto centres = choose_centres(*coarse, rule, on_coarse);
   if (!centres) return tl::unexpected(centres.error());
   Result<Planned> planned = geometry::bad_input("path-even-broken", "no centre was tried");
-  std::vector<Finalist> finalists;
-  for (std::size_t i = 0; i < std::min(centres->size(), finalists_max); ++i) {
-    auto finalist = finalist_of(*coarse, (*centres)[i], rule, ramp_share);
-    if (finalist) {
-      finalists.push_back(std::move(*finalist));
-    } else {
-      planned = tl::unexpected(finalist.error());
-    }
-  }
-  std::stable_sort(finalists.begin(), finalists.end(),
-                   [](const Finalist& a, const Finalist& b) { return a.promised_mm < b.promised_mm; });
-  for (const std::size_t i : tried_in_order(finalists)) {
-    auto next = planned_around(surface, *coarse, finalists[i], rule, ramp_share);
+  auto finalists =
+      finalists_of(*coarse, std::span(*centres).first(std::min(centres->size(), finalists_max)), rule, ramp_share);
+  if (!finalists) return tl::unexpected(finalists.error());
+  for (const std::size_t i : tried_in_order(*finalists)) {
+    auto next = planned_around(surface, *coarse, (*finalists)[i], rule, ramp_share);
     if (next && planned && next->round.scallop.max_ratio >= planned->round.scallop.max_ratio) continue;
     if (next || !planned) planned = std::move(next);
     if (planned && planned->round.scallop.max_ratio <= scallop_kept) break;

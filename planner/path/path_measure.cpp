@@ -133,7 +133,7 @@ void measure_path(const MeasureRequest& request, const CcPath& path, PathReport&
     return;
   }
   const auto scallop = measure_scallop(request.surface, geometry::vertex_normals(request.surface), path, rule.radius_mm,
-                                       rule.scallop_mm, scallop_samples_per_edge)
+                                       rule.scallop_mm, {.per_edge = scallop_samples_per_edge})
                            .statistics;
   report.scallop_ratio_p9999 = scallop.p9999_ratio;
   report.scallop_ratio_max = scallop.max_ratio;

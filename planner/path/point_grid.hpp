@@ -41,22 +41,31 @@ class PointGrid {
   /// ones.
   template <class Visit>
   void near(const geometry::Vec3& place, double reach_mm, Visit visit) const {
+    near_ranges(place, reach_mm, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) visit(order_[i]);
+    });
+  }
+  /// The same as ranges of `order`.
+  template <class VisitRange>
+  void near_ranges(const geometry::Vec3& place, double reach_mm, VisitRange visit) const {
     std::array<long, 3> from{}, to{};
     for (int d = 0; d < 3; ++d) {
       const auto k = static_cast<std::size_t>(d);
       from[k] = std::max(0L, static_cast<long>(std::floor((place[d] - reach_mm - low_[d]) / cell_mm_)));
       to[k] = std::min(count_[k] - 1, static_cast<long>(std::floor((place[d] + reach_mm - low_[d]) / cell_mm_)));
     }
+    if (from[2] > to[2]) return;
     for (long x = from[0]; x <= to[0]; ++x) {
       for (long y = from[1]; y <= to[1]; ++y) {
-        if (from[2] > to[2]) continue;
         const std::size_t row = static_cast<std::size_t>((x * count_[1] + y) * count_[2]);
         const auto begin = start_[row + static_cast<std::size_t>(from[2])],
                    end = start_[row + static_cast<std::size_t>(to[2]) + 1];
-        for (auto i = begin; i < end; ++i) visit(order_[static_cast<std::size_t>(i)]);
+        if (begin < end) visit(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
       }
     }
   }
+  /// The points cell by cell.
+  [[nodiscard]] const std::vector<geometry::Index>& order() const { return order_; }
   [[nodiscard]] double cell_mm() const { return cell_mm_; }
 
  private:

@@ -180,5 +180,32 @@ TEST(EvenRounding, WhatIsNotSharpStaysBitByBit) {
   }
 }
 
+// Properties 1 and 2: the points added lie on the chords beside the bend, a tenth of an interval apart, and nowhere else.
+TEST(EvenRounding, BendsAreFilledAlongTheirChords) {
+  const double interval_mm = 2.0, step_mm = 0.7;
+  CcPiece piece = bent(0.5, step_mm);
+  const CcPiece before = piece;
+  fill_bends(piece, interval_mm);
+  const int added_a_chord = static_cast<int>(std::ceil(step_mm / (0.1 * interval_mm))) - 1;
+  ASSERT_EQ(piece.points.size(), before.points.size() + static_cast<std::size_t>(2 * added_a_chord));
+  double length_mm = 0.0, length_before_mm = 0.0;
+  for (std::size_t i = 1; i < piece.points.size(); ++i)
+    length_mm += (piece.points[i].point_P_mm - piece.points[i - 1].point_P_mm).norm();
+  for (std::size_t i = 1; i < before.points.size(); ++i)
+    length_before_mm += (before.points[i].point_P_mm - before.points[i - 1].point_P_mm).norm();
+  EXPECT_NEAR(length_mm, length_before_mm, 1e-9);
+  CcPiece straight = bent(0.1, step_mm);
+  fill_bends(straight, interval_mm);
+  EXPECT_EQ(straight.points.size(), before.points.size());
+}
+
+TEST(EvenRounding, SharpPlacesStandAtTheCorner) {
+  const CcPiece piece = bent(1.3, 0.1);
+  const auto places = sharp_places_mm(piece, 2.0, std::numbers::pi / 3.0);
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_LT(places[0].norm(), 2.0 / 16.0);
+  EXPECT_TRUE(sharp_places_mm(bent(0.9, 0.1), 2.0, std::numbers::pi / 3.0).empty());
+}
+
 }  // namespace
 }  // namespace volute::planner

@@ -11,8 +11,8 @@
 namespace volute::planner {
 namespace {
 
-/// What a part may at most have. The aim for every part is 9 corners over 60 degrees, 1.10 times the scallop and 0.15 %
-/// of the area above it; the mouse's steep rim misses it (11, 1.107 by the planner's samples, 1.174 by these, 0.155).
+/// What a part may at most have: 9 corners over 60 degrees, 1.10 times the scallop by either measure, 0.15 % of the area
+/// above it.
 struct Bounds {
   double length_ratio;
   int sharp_corners_60 = 9;
@@ -44,9 +44,9 @@ void expect_sound(const std::string& name, double radius_mm, double scallop_mm, 
             at_most.independent_scallop_ratio);
 }
 
-TEST(EvenParts, AMouseIsHeldWithinTheScallop) { expect_sound("mouse", 1.0, 0.1, {1.15, 12, 1.12, 1.20, 0.20}); }
+TEST(EvenParts, AMouseIsHeldWithinTheScallop) { expect_sound("mouse", 1.0, 0.1, {1.15}); }
 
-TEST(EvenParts, APlateWithTwoHolesIsHeldWithinTheScallop) { expect_sound("plate-two-holes", 3.0, 0.2, {1.41}); }
+TEST(EvenParts, APlateWithTwoHolesIsHeldWithinTheScallop) { expect_sound("plate-two-holes", 3.0, 0.2, {1.40}); }
 
 }  // namespace
 }  // namespace volute::planner

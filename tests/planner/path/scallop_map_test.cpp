@@ -44,7 +44,8 @@ TEST(ScallopMap, ExactIntervalOnAPlaneGivesRatioOne) {
   const double radius = 3.0, scallop = 0.2, interval = path_interval_mm(radius, scallop, 0.0);
   const TriangleMesh mesh = sheet(60, 4.0 * interval / 60.0, 0.0);
   const auto normals = geometry::vertex_normals(mesh);
-  const ScallopMap map = measure_scallop(mesh, normals, passes(interval, 4.0 * interval), radius, scallop, 4);
+  const ScallopMap map =
+      measure_scallop(mesh, normals, passes(interval, 4.0 * interval), radius, scallop, {.per_edge = 4});
   EXPECT_NEAR(map.statistics.max_ratio, 1.0, 0.03);  // samples next to, not on, the crest; balls a twentieth apart
   EXPECT_LE(map.statistics.max_ratio, 1.0 + 0.003);
   EXPECT_NEAR(*std::max_element(map.worst_ratio.begin(), map.worst_ratio.end()), map.statistics.max_ratio, 0.0);
@@ -73,7 +74,7 @@ TEST(ScallopMap, EqualsBruteForceOnACurvedSheet) {
     }
     path.pieces.push_back(piece);
   }
-  const ScallopMap map = measure_scallop(mesh, normals, path, radius, scallop, 1);
+  const ScallopMap map = measure_scallop(mesh, normals, path, radius, scallop, {.per_edge = 1});
   std::vector<Vec3> centres;
   for (const CcPiece& piece : path.pieces) {
     for (std::size_t i = 0; i + 1 < piece.points.size(); ++i) {
@@ -115,6 +116,29 @@ TEST(ScallopMap, RemovingAPassLowersNothing) {
   const ScallopMap fewer = measure_scallop(mesh, normals, path, radius, scallop);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) EXPECT_GE(fewer.worst_ratio[t], all.worst_ratio[t] - 1e-9);
   EXPECT_GT(fewer.statistics.max_ratio, 3.5);  // twice the interval: four times the height
+}
+
+// What is only bounded stays below the bound and above the truth; the rest is the same to the last bit.
+TEST(ScallopMap, BoundedHeightsAreExactFromTheRatioOn) {
+  const double radius = 2.0, scallop = 0.15, interval = path_interval_mm(radius, scallop, 0.0), from = 0.9;
+  const TriangleMesh mesh = sheet(60, 6.0 * interval / 60.0, 0.3);
+  const auto normals = geometry::vertex_normals(mesh);
+  const CcPath path = passes(1.02 * interval, 6.0 * interval);
+  const ScallopMap exact = measure_scallop(mesh, normals, path, radius, scallop);
+  const ScallopMap bounded = measure_scallop(mesh, normals, path, radius, scallop, {.exact_from_ratio = from});
+  int only_bounded = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (exact.worst_ratio[t] >= from) {
+      EXPECT_EQ(bounded.worst_ratio[t], exact.worst_ratio[t]);
+    } else {
+      EXPECT_GE(bounded.worst_ratio[t], exact.worst_ratio[t]);
+      EXPECT_LT(bounded.worst_ratio[t], from);
+      only_bounded += bounded.worst_ratio[t] > exact.worst_ratio[t] ? 1 : 0;
+    }
+  }
+  EXPECT_GT(only_bounded, 100);
+  EXPECT_EQ(bounded.statistics.max_ratio, exact.statistics.max_ratio);
+  EXPECT_EQ(bounded.statistics.area_above_percent, exact.statistics.area_above_percent);
 }
 
 }  // namespace
