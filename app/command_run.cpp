@@ -1,15 +1,13 @@
 // volute run: plan, post, simulate, report. The body reads as the way of one part through the program.
-#include <tbb/parallel_invoke.h>
-
 #include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
 #include "app/exit_status.hpp"
-#include "app/material_files.hpp"
 #include "app/output_folder.hpp"
 #include "app/pipeline.hpp"
 #include "app/report.hpp"
+#include "app/result_files.hpp"
 #include "app/run_table.hpp"
 
 namespace volute::app {
@@ -54,34 +52,15 @@ Json full_report(const JobInputs& inputs, const planner::PlanResult& plan, const
   return report;
 }
 
-/// The files of a run but report.json, which tells how long they took.
-struct Files {
-  Result<void> material, view, page;
-  Result<std::vector<std::string>> pictures;
-};
-
-Files write_files(const OutputFolder& out, const JobInputs& inputs, const sim::VerifyResult& verified,
-                  const view::RunView& view) {
-  Files files;
-  tbb::parallel_invoke(
-      [&] { files.material = write_material(verified, inputs.job.tool.cutter, inputs.job.spindle_rpm, out); },
-      [&] { files.view = view::save_view(view, out.folder()); },
-      [&] { files.pictures = view::write_pictures(view, out.folder()); },
-      [&] { files.page = view::write_report_html(view, out.file("report.html")); });
-  return files;
-}
-
 Result<std::vector<std::string>> write_results(const OutputFolder& out, const JobInputs& inputs,
                                                const sim::VerifyResult& verified, view::RunView& view, Json& report,
                                                const Stopwatch& watch) {
   view.report_json = without_seconds(report).dump(2);
-  Files files = write_files(out, inputs, verified, view);
-  for (const auto* written : {&files.material, &files.view, &files.page})
-    if (!*written) return tl::unexpected(written->error());
-  if (!files.pictures) return files.pictures;
+  auto pictures = write_result_files(out, view, verified, inputs.job.spindle_rpm);
+  if (!pictures) return pictures;
   report["timing"]["pictures and files"] = watch.seconds();
   if (auto written = out.write("report.json", report.dump(2) + "\n"); !written) return tl::unexpected(written.error());
-  return files.pictures;
+  return pictures;
 }
 
 /// The program under the name that its verdict gives it, and what was planned.

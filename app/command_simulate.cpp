@@ -4,10 +4,10 @@
 #include "app/commands.hpp"
 #include "app/exit_status.hpp"
 #include "app/job.hpp"
-#include "app/material_files.hpp"
 #include "app/output_folder.hpp"
 #include "app/pipeline.hpp"
 #include "app/report.hpp"
+#include "app/result_files.hpp"
 #include "app/run_table.hpp"
 #include "geometry/file.hpp"
 #include "geometry/mesh_io.hpp"
@@ -115,26 +115,39 @@ Result<std::vector<std::string>> write_results(const path& program, const Bench&
   const view::RunView view = view_of(program, bench, simulated);
   if (auto written = out.write("report.json", simulated.report.dump(2) + "\n"); !written)
     return tl::unexpected(written.error());
-  if (auto written = write_material(simulated.result, bench.tool.cutter, std::nullopt, out); !written)
-    return tl::unexpected(written.error());
-  if (auto saved = view::save_view(view, out.folder()); !saved) return tl::unexpected(saved.error());
-  auto pictures = view::write_pictures(view, out.folder());
-  if (!pictures) return pictures;
-  if (auto page = view::write_report_html(view, out.file("report.html")); !page) return tl::unexpected(page.error());
-  return pictures;
+  return write_result_files(out, view, simulated.result, std::nullopt);
+}
+
+/// A row of the comparison: a name, two values under the programs' names, and what stands behind them.
+std::string comparison_row(const std::string& name, const std::string& a, const std::string& b,
+                           const std::string& more = "") {
+  constexpr std::size_t width = 28;
+  const std::string first = a + std::string(a.size() < width ? width - a.size() : 1, ' ');
+  const std::string second = more.empty() ? b : b + std::string(b.size() < width ? width - b.size() : 1, ' ') + more;
+  return table_row(name, first + second);
 }
 
 std::string comparison_table(const Json& first, const Json& second) {
-  const auto row = [&](const std::string& name, const char* key, int decimals) {
-    const double a = first["run"][key].get<double>();
-    const double b = second["run"][key].get<double>();
-    return table_row(name, geometry::fixed_text(a, decimals) + "   " + geometry::fixed_text(b, decimals) + "   (" +
-                               geometry::fixed_text(a != 0.0 ? 100.0 * (b - a) / a : 0.0, 2) + " %)");
+  const auto numbers = [&](const std::string& name, const char* part, const char* key, int decimals, bool percent) {
+    if (!first.contains(part) || !second.contains(part)) return std::string();
+    const double a = first[part][key].get<double>(), b = second[part][key].get<double>();
+    const std::string change =
+        percent && a != 0.0 ? (b < a ? "" : "+") + geometry::fixed_text(100.0 * (b - a) / a, 2) + " %" : "";
+    return comparison_row(name, geometry::fixed_text(a, decimals), geometry::fixed_text(b, decimals), change);
   };
-  return table_row("",
-                   first["program"]["file"].get<std::string>() + "   " + second["program"]["file"].get<std::string>()) +
-         row("cycle time, s", "cycle_time_s", 3) + row("actual feed, mm/min", "actual_feed_mm_min", 1) +
-         row("loss, %", "feed_loss_percent", 2);
+  const auto count = [](const Json& report, const char* list) {
+    return std::to_string(report.contains(list) ? report[list].size() : 0);
+  };
+  std::string text = comparison_row("compared", first["program"]["file"].get<std::string>(),
+                                    second["program"]["file"].get<std::string>(), "the second to the first");
+  text += numbers("cycle time, s", "run", "cycle_time_s", 3, true);
+  text += numbers("actual feed, mm/min", "run", "actual_feed_mm_min", 1, true);
+  text += numbers("loss, %", "run", "feed_loss_percent", 2, false);
+  text += numbers("scallop left, mm", "machining", "scallop_max_mm", 4, true);
+  text += numbers("gouge, mm", "machining", "gouge_max_mm", 4, false);
+  text += numbers("uncut, mm2", "machining", "uncut_area_mm2", 2, false);
+  text += comparison_row("findings", count(first, "findings"), count(second, "findings"));
+  return text + comparison_row("warnings", count(first, "warnings"), count(second, "warnings"));
 }
 
 Result<int> simulate(const SimulateArguments& arguments, Context& context) {

@@ -163,10 +163,12 @@ Json loads_json(const sim::LoadsReport& loads, const kinematics::Machine& machin
   return json;
 }
 
-Json findings_json(const std::vector<sim::Finding>& findings, const kinematics::Machine& machine) {
+Json findings_json(const std::vector<sim::Finding>& findings, const kinematics::Machine& machine,
+                   const char* severity) {
   Json json = Json::array();
   for (const sim::Finding& finding : findings) {
     json.push_back({{"kind", finding.kind},
+                    {"severity", severity},
                     {"block", finding.line},
                     {"time_s", finding.time_s},
                     {"axis_or_pair", finding.axis_or_pair},
@@ -251,8 +253,8 @@ Json verify_json(const sim::VerifyResult& result, const kinematics::Profile& pro
   if (result.stock) json["stock"] = stock_json(*result.stock);
   if (result.collision) json["collision"] = collision_json(*result.collision, planner_hits);
   if (result.loads.known) json["loads"] = loads_json(result.loads, profile.machine);
-  json["findings"] = findings_json(result.findings, profile.machine);
-  if (!result.warnings.empty()) json["warnings"] = findings_json(result.warnings, profile.machine);
+  json["findings"] = findings_json(result.findings, profile.machine, "error");
+  if (!result.warnings.empty()) json["warnings"] = findings_json(result.warnings, profile.machine, "warning");
   json["timing"] = timing_json(result.timing_s);
   return json;
 }

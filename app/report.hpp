@@ -22,7 +22,8 @@ Json run_json(const sim::RunReport& run, const kinematics::Machine& machine);
 Json machining_json(const sim::CutSurfaceReport& cut);
 Json collision_json(const sim::CollisionReport& collision, int planner_hits);
 Json loads_json(const sim::LoadsReport& loads, const kinematics::Machine& machine);
-Json findings_json(const std::vector<sim::Finding>& findings, const kinematics::Machine& machine);
+/// `severity`: "error" for what ends with status 1, "warning" for what is told but not judged.
+Json findings_json(const std::vector<sim::Finding>& findings, const kinematics::Machine& machine, const char* severity);
 Json stock_json(const sim::StockOutcome& stock);
 /// The lines of findings, for people.
 std::vector<std::string> texts(const std::vector<sim::Finding>& findings);

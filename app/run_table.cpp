@@ -72,6 +72,14 @@ std::string run_rows(const Json& run) {
   return text + "\n";
 }
 
+std::string stock_row(const Json& stock) {
+  std::string text = number(stock, "removed_mm3", 0) + " of " + number(stock, "first_mm3", 0) + " mm3 removed";
+  if (stock.contains("removal_rate_max_mm3_s"))
+    text += ", at most " + number(stock, "removal_rate_max_mm3_s", 1) + " mm3/s in line " +
+            std::to_string(stock["removal_rate_at_block"].get<long>());
+  return table_row("stock", text + (stock["assumed"].get<bool>() ? " (a full block, as none is given)" : ""));
+}
+
 std::string machining_rows(const Json& report) {
   std::string text;
   if (report.contains("machining")) {
@@ -84,6 +92,7 @@ std::string machining_rows(const Json& report) {
                                    ? "none"
                                    : number(cut, "uncut_area_mm2", 0) + " mm2, left on purpose");
   }
+  if (report.contains("stock")) text += stock_row(report["stock"]);
   if (report.contains("collision")) {
     const Json& collision = report["collision"];
     const std::string planned = collision.contains("planner_hits")
@@ -99,11 +108,18 @@ std::string machining_rows(const Json& report) {
   return text;
 }
 
+/// Texts of findings at a line begin with it; what holds for the whole program has no line.
+std::string finding_row(const Json& finding) {
+  const long line = finding["block"].get<long>();
+  const std::string text = finding["text"].get<std::string>();
+  const bool told = line == 0 || text.starts_with("line " + std::to_string(line) + ":");
+  return "  " + (told ? "" : "line " + std::to_string(line) + ": ") + finding["kind"].get<std::string>() + ": " + text +
+         "\n";
+}
+
 std::string finding_rows(const Json& findings) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(findings.size(), findings_shown); ++i)
-    text += "  line " + std::to_string(findings[i]["block"].get<long>()) + ": " +
-            findings[i]["kind"].get<std::string>() + ": " + findings[i]["text"].get<std::string>() + "\n";
+  for (std::size_t i = 0; i < std::min(findings.size(), findings_shown); ++i) text += finding_row(findings[i]);
   if (findings.size() > findings_shown)
     text += "  ... and " + std::to_string(findings.size() - findings_shown) + " more in report.json\n";
   return text;
@@ -112,11 +128,16 @@ std::string finding_rows(const Json& findings) {
 /// A program that Volute made is kept under another name when it fails; one of others is only judged.
 std::string verdict(const Json& report) {
   const Json& findings = report["findings"];
-  if (findings.empty()) return "PASSED: the virtual machine found nothing wrong.\n";
+  const std::size_t warnings = report.contains("warnings") ? report["warnings"].size() : 0;
+  if (findings.empty())
+    return warnings == 0 ? "PASSED: the virtual machine found nothing wrong.\n"
+                         : "PASSED: the virtual machine found nothing wrong; " + std::to_string(warnings) +
+                               " warning(s):\n" + finding_rows(report["warnings"]);
   const std::string count = std::to_string(findings.size()) + " finding(s)";
   return (report.contains("path") ? "REJECTED: " + count + "; the program keeps .rejected in its name.\n"
                                   : "FOUND: " + count + ".\n") +
-         finding_rows(findings);
+         finding_rows(findings) +
+         (warnings == 0 ? "" : std::to_string(warnings) + " warning(s):\n" + finding_rows(report["warnings"]));
 }
 
 }  // namespace

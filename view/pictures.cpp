@@ -131,7 +131,10 @@ Result<Image> machined_picture(const RunView& view, const PictureStyle& style, c
   ColourBar bar{"deviation, mm", -range, range, [](double share) { return diverging_colour(2.0 * share - 1.0); }};
   return finished_picture(
       scene, camera_at(view, focus.box, style, RightSide::bar),
-      {view.title, {"machined surface: above zero is left, below is gouged; black: nothing came near"}, &bar}, style);
+      {view.title,
+       {"machined surface, the worst about each place: above zero is left, below is gouged; black: not reached"},
+       &bar},
+      style);
 }
 
 }  // namespace volute::view

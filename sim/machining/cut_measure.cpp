@@ -8,8 +8,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "geometry/mesh_measure.hpp"
-
 namespace volute::sim {
 namespace {
 
@@ -129,23 +127,24 @@ Deviations measure_samples(const SweptCutter& cutter, const SurfaceSamples& samp
   return out;
 }
 
-std::vector<double> measure_vertices(const SweptCutter& cutter, const geometry::TriangleMesh& mesh,
-                                     const SearchHeights& heights) {
-  const std::vector<Vec3> normals = geometry::vertex_normals(mesh);
-  std::vector<double> out(mesh.vertices_mm.size(), std::numeric_limits<double>::quiet_NaN());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, out.size()), [&](const auto& range) {
-    SweptCutter::Near near;
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      const Vec3& point = mesh.vertices_mm[i];
-      for (const double height_mm : {heights.near_height_mm, heights.search_height_mm}) {
-        near_cell(cutter, {point, point, point}, normals[i], height_mm, near);
-        if (const auto entry = cutter.entry(point, normals[i], height_mm, near)) {
-          out[i] = entry->height_mm;
-          break;
-        }
-      }
-    }
-  });
+std::vector<double> worst_about_vertices(const geometry::TriangleMesh& mesh, const SurfaceSamples& samples,
+                                         const Deviations& deviations) {
+  const auto worse = [](double a, double b) {
+    if (std::isnan(a) || std::isnan(b)) return std::isnan(a);
+    return std::abs(a) != std::abs(b) ? std::abs(a) > std::abs(b) : a > b;
+  };
+  std::vector<double> of_triangle(mesh.triangles.size(), 0.0);
+  for (const auto& patch : samples.patches()) {
+    double& worst = of_triangle[static_cast<std::size_t>(patch.triangle)];
+    const auto first = deviations.height_mm.begin() + patch.first_sample;
+    std::for_each(first, first + static_cast<std::ptrdiff_t>(patch.cell_cuts) * patch.cell_cuts, [&](double height) {
+      if (worse(height, worst)) worst = height;
+    });
+  }
+  std::vector<double> out(mesh.vertices_mm.size(), 0.0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const geometry::Index v : mesh.triangles[t])
+      if (worse(of_triangle[t], out[static_cast<std::size_t>(v)])) out[static_cast<std::size_t>(v)] = of_triangle[t];
   return out;
 }
 

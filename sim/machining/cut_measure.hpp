@@ -28,8 +28,11 @@ struct SearchHeights {
 };
 
 Deviations measure_samples(const SweptCutter& cutter, const SurfaceSamples& samples, const SearchHeights& heights);
-std::vector<double> measure_vertices(const SweptCutter& cutter, const geometry::TriangleMesh& mesh,
-                                     const SearchHeights& heights);
+/// For each vertex the worst sample of the triangles about it: one that nothing came near (NaN), else the one farthest
+/// from the surface. A picture drawn from these shows how high the scallops are however far apart its vertices stand;
+/// the deviations at the vertices themselves beat against the scallops where their spacings are alike.
+std::vector<double> worst_about_vertices(const geometry::TriangleMesh& mesh, const SurfaceSamples& samples,
+                                         const Deviations& deviations);
 
 enum class Sought { highest, deepest };
 /// Zooms into the cells of the samples listed: three times eight by eight points, ever closer. One result a sample, in

@@ -189,7 +189,7 @@ CutSurfaceReport measure_cut_surface(const geometry::TriangleMesh& surface, cons
   deepest.insert(deepest.end(), notches.begin(), notches.end());
   add_gouges(std::move(deepest), poses, cutter.radius_mm, options.gouge_limit_mm, report);
   add_uncut(measurement.highest(), poses, options, report);
-  report.vertex_deviation_mm = measure_vertices(swept, surface, heights);
+  report.vertex_deviation_mm = worst_about_vertices(surface, samples, deviations);
   return report;
 }
 

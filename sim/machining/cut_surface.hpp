@@ -36,7 +36,7 @@ struct CutSurfaceReport {
   std::int64_t samples = 0;
   double scallop_max_mm = 0.0, scallop_p99_mm = 0.0, gouge_max_mm = 0.0, uncut_area_mm2 = 0.0;
   bool uncut = false;
-  std::vector<double> vertex_deviation_mm;  ///< per vertex of the surface; NaN where nothing came near
+  std::vector<double> vertex_deviation_mm;  ///< per vertex: the worst sample about it; NaN: one not reached
   std::vector<std::int64_t>
       histogram;  ///< deviations from histogram_min_mm in steps of histogram_step_mm; the ends hold what lies beyond
   double histogram_min_mm = 0.0, histogram_step_mm = 0.0;

@@ -106,6 +106,24 @@ TEST(CutSurface, UncutStripHasItsArea) {
   EXPECT_NEAR(report.scallop_max_mm, 2.0, 0.01);  // two balls that touch between their centres: one radius
 }
 
+// Passes 0.7 mm apart under vertices 1 mm apart: the deviations at the vertices themselves would run through all
+// heights of the scallop.
+TEST(CutSurface, VerticesTellTheScallopHoweverTheyStandToThePasses) {
+  const auto surface = test::sheet(12, 12, [](double u, double v) { return Vec3(12 * u, 12 * v, 0.0); });
+  const auto report =
+      measure_cut_surface(surface, test::ball(1.5), test::passes_on_plane(12.0, 0.7, 1.5, Vec3::UnitZ()), {});
+  const double scallop_mm = 1.5 - std::sqrt(1.5 * 1.5 - 0.35 * 0.35);
+  ASSERT_EQ(report.vertex_deviation_mm.size(), surface.vertices_mm.size());
+  int looked_at = 0;
+  for (std::size_t i = 0; i < surface.vertices_mm.size(); ++i) {
+    const Vec3& p = surface.vertices_mm[i];
+    if (p.x() < 1.5 || p.y() < 1.5 || p.x() > 10.5 || p.y() > 10.5) continue;  // whole scallops about it
+    ++looked_at;
+    EXPECT_NEAR(report.vertex_deviation_mm[i], scallop_mm, 0.25 * scallop_mm) << p.transpose();
+  }
+  EXPECT_GT(looked_at, 50);
+}
+
 TEST(CutSurface, NoPosesLeaveEverythingUncut) {
   const auto report = measure_cut_surface(test::plane(5.0), test::ball(1.0), {}, {});
   EXPECT_TRUE(report.uncut);
