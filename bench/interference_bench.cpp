@@ -14,6 +14,7 @@
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
 
+#include "geometry/turn.hpp"
 #include "planner/interference.hpp"
 #include "planner/interference_shapes.hpp"
 #include "tests/planner/scenes.hpp"
@@ -77,7 +78,7 @@ class PlainPairs {
       for (const auto& [at_part, at_others] : pieces_) {
         const PlacedShape& shape = b == 0 ? at_part : at_others;
         fcl::Transform3d X = fcl::Transform3d::Identity();
-        X.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), pose.axis_P).toRotationMatrix();
+        X.linear() = geometry::turn_from_z(pose.axis_P).toRotationMatrix();
         X.translation() = pose.tip_P_mm + shape.centre_z_mm * pose.axis_P;
         fcl::CollisionRequestd request;
         fcl::CollisionResultd result;

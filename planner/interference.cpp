@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/check.hpp"
+#include "geometry/turn.hpp"
 #include "planner/interference_trees.hpp"
 
 namespace volute::planner {
@@ -38,7 +39,7 @@ ToolPose seen_from(const geometry::Transform& X_from, const geometry::Transform&
 
 fcl::Transform3d placement(const PlacedShape& shape, const ToolPose& pose) {
   fcl::Transform3d X = fcl::Transform3d::Identity();
-  X.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), pose.axis_P).toRotationMatrix();
+  X.linear() = geometry::turn_from_z(pose.axis_P).toRotationMatrix();
   X.translation() = pose.tip_P_mm + shape.centre_z_mm * pose.axis_P;
   return X;
 }

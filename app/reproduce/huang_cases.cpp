@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/turn.hpp"
 #include "view/solids.hpp"
 
 namespace volute::app {
@@ -58,7 +59,7 @@ Vec3 on_strip(const Vec3& start, const Vec3& direction) {
 /// A frame whose z axis is `axis`.
 Transform standing_on(const Vec3& origin, const Vec3& axis) {
   Transform frame = Transform::Identity();
-  frame.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
+  frame.linear() = geometry::turn_from_z(axis).toRotationMatrix();
   frame.translation() = origin;
   return frame;
 }

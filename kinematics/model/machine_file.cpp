@@ -6,6 +6,7 @@
 
 #include "geometry/mesh_io.hpp"
 #include "geometry/number_text.hpp"
+#include "geometry/turn.hpp"
 #include "kinematics/model/link_shapes.hpp"
 #include "kinematics/model/machine.hpp"
 #include "kinematics/model/toml_reader.hpp"
@@ -220,7 +221,7 @@ void read_gauge(TomlReader& reader, Machine& machine) {
   reader.only_keys(gauge, "gauge", {"point_mm", "axis"});
   const Vec3 axis_M = unit_vector(reader, gauge, "gauge", "axis", Vec3(Vec3::UnitZ()));
   machine.gauge_at_zero_M.translation() = reader.vector(gauge, "gauge", "point_mm");
-  machine.gauge_at_zero_M.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis_M).toRotationMatrix();
+  machine.gauge_at_zero_M.linear() = geometry::turn_from_z(axis_M).toRotationMatrix();
 }
 
 std::optional<geometry::TriangleMesh> read_shape(TomlReader& reader, const toml::table& table, const std::string& where,

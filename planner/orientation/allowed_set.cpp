@@ -5,6 +5,8 @@
 #include <map>
 #include <numbers>
 
+#include "geometry/turn.hpp"
+
 namespace volute::planner {
 
 using geometry::Angle;
@@ -125,7 +127,7 @@ bool AllowedSet::motion_is_free(int i, const Rotaries& from, const Rotaries& to)
 }
 
 std::optional<Vec3> AllowedSet::nearest(int i, const Vec3& wanted_P, Angle margin) const {
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), wanted_P);
+  const Eigen::Quaterniond turn = geometry::turn_from_z(wanted_P);
   for (const Vec3& direction : rings_) {
     const Vec3 axis = turn * direction;
     if (blocked(i, axis) != Blocked::no) continue;
@@ -153,7 +155,7 @@ Vec3 AllowedSet::within_tilt(int i, const Vec3& axis_P) const {
 
 std::string AllowedSet::what_blocks(int i, const Vec3& wanted_P) const {
   std::map<std::string, int> counts;
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), wanted_P);
+  const Eigen::Quaterniond turn = geometry::turn_from_z(wanted_P);
   for (const Vec3& direction : rings_) {
     const Vec3 axis = turn * direction;
     const Blocked why = blocked(i, axis);

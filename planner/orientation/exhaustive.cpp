@@ -5,13 +5,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/turn.hpp"
+
 namespace volute::planner {
 
 using geometry::Angle;
 
 std::optional<Vec3> exhaustive_search(const AllowedSet& allowed, int i, Angle step) {
   const Vec3& normal = allowed.stations()[static_cast<std::size_t>(i)].normal_P;
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), normal);
+  const Eigen::Quaterniond turn = geometry::turn_from_z(normal);
   const double quarter = 0.5 * std::numbers::pi;
   const int rings = static_cast<int>(std::ceil(quarter / step.radians()));
   for (int r = 0; r <= rings; ++r) {

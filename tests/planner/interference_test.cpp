@@ -6,6 +6,7 @@
 #include <fcl/narrowphase/collision.h>
 #include <gtest/gtest.h>
 
+#include "geometry/turn.hpp"
 #include "planner/contact.hpp"
 #include "planner/interference_shapes.hpp"
 #include "tests/planner/scenes.hpp"
@@ -116,7 +117,7 @@ bool plain_fcl_is_free(const Scene& scene, const kinematics::Tool& tool, const T
     for (const auto& [growth, model] : {std::pair(at_part, part), std::pair(scene.clearance_mm, post)}) {
       const PlacedShape shape = placed_shape(piece, growth);
       fcl::Transform3d X = fcl::Transform3d::Identity();
-      X.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), pose.axis_P).toRotationMatrix();
+      X.linear() = geometry::turn_from_z(pose.axis_P).toRotationMatrix();
       X.translation() = pose.tip_P_mm + shape.centre_z_mm * pose.axis_P;
       fcl::CollisionRequestd request;
       fcl::CollisionResultd result;

@@ -8,6 +8,7 @@
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/collision.h>
 
+#include "geometry/turn.hpp"
 #include "kinematics/inverse/inverse.hpp"
 #include "planner/contact.hpp"
 
@@ -65,7 +66,7 @@ std::vector<Part> assembly(const kinematics::Tool& tool, double cutter_growth, d
 bool meets(const std::vector<Part>& parts, const kinematics::ToolPose& pose, const Model& model) {
   for (const Part& part : parts) {
     fcl::Transform3d X = fcl::Transform3d::Identity();
-    X.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), pose.axis_P).toRotationMatrix();
+    X.linear() = geometry::turn_from_z(pose.axis_P).toRotationMatrix();
     X.translation() = pose.tip_P_mm + part.centre_z_mm * pose.axis_P;
     fcl::CollisionRequestd request;
     fcl::CollisionResultd result;
@@ -84,7 +85,7 @@ SearchResult search_exhaustively(const planner::PlanRequest& request, const Vec3
   std::vector<std::shared_ptr<Model>> others;
   for (const auto& mesh : scene.obstacles) others.push_back(model_of(mesh));
   const auto part = model_of(scene.part);
-  const Eigen::Matrix3d R = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), normal_P).toRotationMatrix();
+  const Eigen::Matrix3d R = geometry::turn_from_z(normal_P).toRotationMatrix();
   SearchResult result;
   for (double tilt = request.orientation.tilt_min.radians(); tilt <= request.orientation.tilt_max.radians();
        tilt += step.radians()) {
