@@ -20,6 +20,7 @@ RunWatch::RunWatch(const kinematics::Machine& machine, const kinematics::Setup& 
     : motion_(machine, setup, tool.gauge_length_mm),
       moves_(bounds.move_chord_mm, tool.cutter.length_mm),
       states_(bounds.state_chord_mm, StatePlace{link_reach_mm}),
+      limit_peaks_(machine),
       loads_(machine),
       trace_(machine, bounds.trace_samples_max) {
   filling_.reserve(lot_samples);
@@ -67,7 +68,11 @@ void RunWatch::look_at(std::span<const AxisSample> samples) {
     }
   };
   // Each keeps its own order, so the result does not depend on who runs where.
-  tbb::parallel_invoke([&] { loads_.add(samples); }, [&] { trace_.add(samples); },
+  tbb::parallel_invoke([&] { loads_.add(samples); },
+                       [&] {
+                         trace_.add(samples);
+                         limit_peaks_.add(samples);
+                       },
                        [&] {
                          find_poses();
                          tbb::parallel_invoke(keep_moves, keep_states);

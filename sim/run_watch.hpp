@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/collision.hpp"
+#include "sim/limit_peaks.hpp"
 #include "sim/loads.hpp"
 #include "sim/machining/pose_thinner.hpp"
 #include "sim/tool_motion.hpp"
@@ -50,6 +51,7 @@ class RunWatch {
 
   std::vector<SweptPose> moves() { return moves_.finish(); }
   std::vector<MachineState> states() { return states_.finish(); }
+  [[nodiscard]] const LimitPeaks& limit_peaks() const { return limit_peaks_; }
   [[nodiscard]] LoadsReport loads() const { return loads_.report(); }
   [[nodiscard]] std::vector<AxisSample> trace() const { return trace_.finish(); }
 
@@ -60,6 +62,7 @@ class RunWatch {
   ToolMotion motion_;
   PoseThinner moves_;
   ChordThinner<MachineState, StatePlace> states_;
+  LimitPeaks limit_peaks_;
   LoadsMeter loads_;
   TraceThinner trace_;
   std::vector<AxisSample> filling_, seen_;

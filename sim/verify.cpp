@@ -129,15 +129,16 @@ CollisionScene scene(const VerifyRequest& request) {
 
 /// A limit of an axis that the run passed; the control holds them, so any is a fault of the control or of the machine's
 /// data.
-void add_limit_findings(const VerifyRequest& request, VerifyResult& result) {
+void add_limit_findings(const VerifyRequest& request, const LimitPeaks& peaks, VerifyResult& result) {
   constexpr double rounding = 1e-6;
   for (std::size_t i = 0; i < kinematics::axis_count; ++i) {
     const double ratio = result.run.axes[i].limit_ratio_max;
     if (ratio <= 1.0 + rounding) continue;
+    const LimitPeak peak = peaks.nearest_to(static_cast<int>(i), ratio);
     const std::string letter(1, request.profile.machine.axes[i].letter);
-    result.findings.push_back(
-        {"limit", 0, 0.0, letter, ratio, 1.0,
-         letter + " runs at " + short_text(ratio, 5) + " times a limit of " + request.profile.machine.name});
+    result.findings.push_back({"limit", peak.line, peak.time_s, letter, ratio, 1.0,
+                               "line " + std::to_string(peak.line) + ": " + letter + "'s " + peak.quantity + " is " +
+                                   short_text(ratio, 5) + " times its limit of " + request.profile.machine.name});
   }
 }
 
@@ -191,11 +192,11 @@ void add_stock_warning(const StockReport& report, std::vector<Finding>& warnings
   warnings.push_back(std::move(warning));
 }
 
-void gather_findings(const VerifyRequest& request, VerifyResult& result) {
+void gather_findings(const VerifyRequest& request, const LimitPeaks& peaks, VerifyResult& result) {
   const auto take = [&](const std::vector<Finding>& findings) {
     result.findings.insert(result.findings.end(), findings.begin(), findings.end());
   };
-  add_limit_findings(request, result);
+  add_limit_findings(request, peaks, result);
   add_travel_findings(request, result);
   if (result.cut) take(result.cut->findings);
   if (result.collision) take(result.collision->findings);
@@ -257,7 +258,7 @@ Result<VerifyResult> verify(const VerifyRequest& request) {
 
   stages.begin("findings");
   result.loads = watch.loads();
-  gather_findings(request, result);
+  gather_findings(request, watch.limit_peaks(), result);
   stages.end();
   return result;
 }

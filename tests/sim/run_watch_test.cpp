@@ -69,6 +69,28 @@ std::vector<AxisSample> wavy_run(std::size_t count) {
   return out;
 }
 
+TEST(LimitPeaks, SayWhereAnAxisPassedWhichLimit) {
+  const Machine machine = all_machines().front();
+  LimitPeaks peaks(machine);
+  std::vector<AxisSample> run = wavy_run(5000);
+  run[1234].acceleration[2] = -1.25 * machine.axes[2].acceleration_max;
+  run[1235].acceleration[2] = 1.25 * machine.axes[2].acceleration_max;  // as much: the first one counts
+  run[4321].velocity[4] = 1.5 * machine.axes[4].velocity_max;
+  run[777].jerk[4] = 3.0 * machine.axes[4].jerk_max;
+  const std::span<const AxisSample> samples(run);
+  peaks.add(samples.first(1234));
+  peaks.add(samples.subspan(1234));
+  const LimitPeak z = peaks.nearest_to(2, 1.25), c = peaks.nearest_to(4, 1.5), jerk = peaks.nearest_to(4, 3.0);
+  EXPECT_STREQ(z.quantity, "acceleration");
+  EXPECT_EQ(z.line, 12);
+  EXPECT_DOUBLE_EQ(z.time_s, 1.234);
+  EXPECT_NEAR(z.ratio, 1.25, 1e-12);
+  EXPECT_STREQ(c.quantity, "velocity");  // a control that leaves the jerk alone has 1.5 as its greatest ratio
+  EXPECT_EQ(c.line, 43);
+  EXPECT_STREQ(jerk.quantity, "jerk");
+  EXPECT_EQ(jerk.line, 7);
+}
+
 struct Kept {
   std::vector<SweptPose> moves;
   std::vector<MachineState> states;
