@@ -1,15 +1,19 @@
 // The table of docs/paths.md: every strategy and method on every surface given, as Markdown on standard output.
 //
-//   path_table [--pictures DIR] [--only STRATEGY[,METHOD]] SURFACE,RADIUS_MM,SCALLOP_MM ...
+//   path_table [--pictures DIR] [--only "STRATEGY, METHOD"] [--noise-mm N] [--edge-mm E] SURFACE,RADIUS_MM,SCALLOP_MM
+//   ...
 //
 // RADIUS_MM 0: a ball to the surface's size (a 36th of the square root of its area, scallop a 15th of the radius, so
 // that about 50 passes cover it). Surfaces that cannot be machined are named with the reason.
+// --noise-mm: every vertex moved by normal noise of that standard deviation in each direction, seed 1.
+// --edge-mm: edges halved until none is longer.
 // Exit status: 0, or 2 when an argument cannot be read.
 #include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -19,6 +23,7 @@
 #include "geometry/mesh_report.hpp"
 #include "geometry/number_text.hpp"
 #include "planner/path/cc_path.hpp"
+#include "planner/path/even_resample.hpp"
 
 namespace {
 
@@ -48,6 +53,8 @@ struct Job {
 
 struct Arguments {
   std::string pictures, only;
+  double noise_mm = 0.0;
+  std::optional<double> edge_mm;
   std::vector<Job> jobs;
 };
 
@@ -59,6 +66,10 @@ std::optional<Arguments> arguments_of(int count, char** words) {
       arguments.pictures = words[++i];
     } else if (word == "--only" && i + 1 < count) {
       arguments.only = words[++i];
+    } else if ((word == "--noise-mm" || word == "--edge-mm") && i + 1 < count) {
+      const auto value = volute::geometry::parse_number(words[++i]);
+      if (!value || !(*value > 0.0)) return std::nullopt;
+      (word == "--noise-mm" ? arguments.noise_mm : arguments.edge_mm.emplace()) = *value;
     } else {
       const std::size_t second = word.rfind(','), first = second == 0 ? second : word.rfind(',', second - 1);
       if (second == std::string::npos || first == std::string::npos) return std::nullopt;
@@ -127,6 +138,22 @@ void plan_row(const Row& row, const std::string& part, const std::string& shown,
   if (!volute::bench::write_pictures(picture, pictures)) std::cerr << "cannot write into " << pictures << '\n';
 }
 
+/// The surface as the arguments want it: refined, noisy.
+volute::geometry::Result<volute::geometry::TriangleMesh> changed(volute::geometry::TriangleMesh mesh,
+                                                                 const Arguments& arguments) {
+  if (arguments.edge_mm) {
+    auto fine = volute::planner::finer(mesh, *arguments.edge_mm);
+    if (!fine) return tl::unexpected(fine.error());
+    mesh = std::move(fine->mesh);
+  }
+  if (arguments.noise_mm <= 0.0) return mesh;
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0.0, arguments.noise_mm);
+  for (auto& vertex : mesh.vertices_mm)
+    for (int k = 0; k < 3; ++k) vertex[k] += noise(random);
+  return mesh;
+}
+
 void plan_part(Job job, const Arguments& arguments) {
   const std::string part = job.file.stem().string();
   const auto loaded = volute::geometry::load_mesh(job.file);
@@ -134,7 +161,8 @@ void plan_part(Job job, const Arguments& arguments) {
     std::cerr << loaded.error().message << '\n';
     return;
   }
-  const auto surface = volute::geometry::machinable_surface(*loaded);
+  auto surface = volute::geometry::machinable_surface(*loaded);
+  if (surface) surface = changed(std::move(*surface), arguments);
   if (!surface) {
     std::cout << "| " << part << " | none: " << surface.error().message << " | | | | | | | | | | | |\n";
     return;
@@ -157,7 +185,8 @@ void plan_part(Job job, const Arguments& arguments) {
 int main(int count, char** words) {
   const auto arguments = arguments_of(count, words);
   if (!arguments || arguments->jobs.empty()) {
-    std::cerr << "usage: path_table [--pictures DIR] [--only \"STRATEGY, METHOD\"] SURFACE,RADIUS_MM,SCALLOP_MM ...\n";
+    std::cerr << "usage: path_table [--pictures DIR] [--only \"STRATEGY, METHOD\"] [--noise-mm N] [--edge-mm E] "
+                 "SURFACE,RADIUS_MM,SCALLOP_MM ...\n";
     return 2;
   }
   std::cout << "| part | strategy, method | length / bound | pieces | rapids | liftings | linkings | corners (> 60) | "

@@ -21,6 +21,7 @@ namespace {
 using geometry::Angle;
 using geometry::Vec2;
 
+constexpr double scallop_kept = 1.2;     ///< times the allowed one: with more, another centre is tried
 constexpr double map_hole_radius = 1.0;  ///< of the centre in the picture, turns
 
 Vec2 in_map(const EvenField& field, double theta, double phi) {
@@ -166,12 +167,16 @@ std::vector<std::size_t> tried_in_order(const std::vector<Finalist>& finalists) 
   return order;
 }
 
+/// The length, and as much of it again as the greatest scallop is past what is kept.
+double weight(const EvenRound& round) {
+  return round.length_mm * (1.0 + std::max(0.0, round.scallop.max_ratio - scallop_kept));
+}
+
 /// The centre found on a coarse mesh, the best few weighed by a better field, and the path around it; around another
 /// where it falls into pieces or leaves far more than the scallop.
 Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options) {
   constexpr int coarse_triangles = 5000;
   constexpr std::size_t finalists_max = 4;
-  constexpr double scallop_kept = 1.2;  // times the allowed one: with more, another centre is tried
   const double ramp_share = ramp_share_of(surface, rule);
   const auto coarse = coarse_surface(surface, coarse_triangles);
   if (!coarse) return tl::unexpected(coarse.error());
@@ -187,7 +192,7 @@ Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& ru
   if (!finalists) return tl::unexpected(finalists.error());
   for (const std::size_t i : tried_in_order(*finalists)) {
     auto next = planned_around(surface, *coarse, (*finalists)[i], rule, ramp_share);
-    if (next && planned && next->round.scallop.max_ratio >= planned->round.scallop.max_ratio) continue;
+    if (next && planned && weight(next->round) >= weight(planned->round)) continue;
     if (next || !planned) planned = std::move(next);
     if (planned && planned->round.scallop.max_ratio <= scallop_kept) break;
   }
@@ -198,7 +203,7 @@ Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& ru
 
 Result<CcPathResult> plan_even_spiral(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
                                       const PathOptions& options, const OrientationOptions& orientation) {
-  auto conditioned = condition(surface);
+  auto conditioned = condition(surface, {.deviation_max_mm = std::min(0.05, 0.5 * options.scallop_mm)});
   if (!conditioned) return tl::unexpected(conditioned.error());
   const auto prepared = EvenSurface::build(conditioned->mesh);
   if (!prepared) return tl::unexpected(prepared.error());

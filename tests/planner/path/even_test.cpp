@@ -9,6 +9,7 @@
 
 #include "geometry/mesh_measure.hpp"
 #include "planner/path/even_domain.hpp"
+#include "planner/path/even_field.hpp"
 #include "planner/path/even_resample.hpp"
 #include "planner/path/even_spiral.hpp"
 #include "planner/path/path_interval.hpp"
@@ -179,6 +180,43 @@ TEST(EvenDomain, HarmonicAndThetaOnARing) {
       EXPECT_NEAR(grown, loop == &domain->outer ? 1.0 : -1.0, 1e-9);  // the hole's loop runs clockwise
     }
   }
+}
+
+/// What bending costs: the mean square of the Laplacian of phi - theta over the inner vertices, 1 / mm^4.
+double bending(const EvenDomain& domain, const std::vector<Vec2>& slopes) {
+  const auto flux = divergence(domain.mesh, domain.operators, slopes);
+  const auto areas = vertex_areas_mm2(domain.mesh);
+  double sum = 0.0, area_mm2 = 0.0;
+  for (std::size_t v = 0; v < areas.size(); ++v) {
+    if (domain.topology.is_boundary_vertex(static_cast<Index>(v))) continue;
+    sum += flux[v] * flux[v] / areas[v];
+    area_mm2 += areas[v];
+  }
+  return sum / area_mm2;
+}
+
+// Dearer bending bends less; a gain of 1 everywhere is the solver as it was, to the last bit.
+TEST(EvenField, StiffeningLowersTheBending) {
+  const auto surface = EvenSurface::build(disc_with_holes(24.0, {{-9.0, 3.0, 4.0}, {8.0, -5.0, 4.0}}, 1.2));
+  ASSERT_TRUE(surface.has_value());
+  const auto domain = even_domain(*surface, Centre{Index{1}, {}});
+  ASSERT_TRUE(domain.has_value());
+  const IntervalRule rule = interval_rule(ball(3.0), 0.2, {});
+  const std::vector<double> gain(domain->mesh.triangles.size(), 1.0);
+  std::vector<EvenField> fields;
+  std::vector<double> bent;
+  for (double stiff : {0.0, 1.0, 64.0}) {  // 0: not called
+    auto solver = EvenFieldSolver::build(*domain, rule, {}, std::nullopt);
+    ASSERT_TRUE(solver.has_value());
+    if (stiff > 0.0) {
+      ASSERT_TRUE(solver->stiffen(std::vector<double>(domain->mesh.vertices_mm.size(), stiff)).has_value());
+    }
+    fields.push_back(solver->start());
+    solver->improve(fields.back(), gain, 4, 20);
+    bent.push_back(bending(*domain, solver->slopes(fields.back())));
+  }
+  EXPECT_EQ(fields[0].phi, fields[1].phi);
+  EXPECT_LT(bent[2], 0.5 * bent[0]);
 }
 
 TEST(EvenResample, CoarserKeepsTopologyAndVertices) {
