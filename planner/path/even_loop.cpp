@@ -27,11 +27,12 @@ double length_of(const CcPath& path) {
 }
 
 /// Heights grow with the square of the interval. Where single places are too high, they are taken down to what a place
-/// may have; where too much of the area is, each a little more than its height asks for: with the root alone the
-/// others come back round by round.
+/// may have, with more than the root, since a gain on a small place is averaged out by what is around it; where too
+/// much of the area is, each a little more than its height asks for: with the root alone the others come back round by
+/// round.
 double gain_for(double ratio, bool much_area, double step_max) {
-  constexpr double place_ratio = 1.05, eager_max = 1.05;
-  if (!much_area) return std::clamp(std::sqrt(ratio / place_ratio), 1.0, step_max);
+  constexpr double place_ratio = 1.05, place_power = 0.75, eager_max = 1.05;
+  if (!much_area) return std::clamp(std::pow(ratio / place_ratio, place_power), 1.0, step_max);
   return std::min(std::max(std::sqrt(ratio), std::min(ratio * std::sqrt(ratio), eager_max)), step_max);
 }
 
