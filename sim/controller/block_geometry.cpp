@@ -142,10 +142,12 @@ Result<BlockPath> BlockGeometry::path_of(const MotionBlock& block, BlockInfo& in
   const bool rapid = block.kind == MotionKind::rapid;
   info.rapid = rapid;
   info.cutting = !rapid && block.spindle_on;
-  path.stop_before = was_rapid_ && *was_rapid_ != rapid;
-  was_rapid_ = rapid;
   const auto target = target_of(block);
   if (!target) return tl::unexpected(target.error());
+  info.feed_average = !rapid || turns_about_the_tip(block, *target);
+  path.stop_before = was_rapid_ && (*was_rapid_ != rapid || *was_feed_average_ != info.feed_average);
+  was_rapid_ = rapid;
+  was_feed_average_ = info.feed_average;
   const AxisVector from_q = q_;
   const Vec3 from_tip = state_.tip_P_mm;
   Result<void> done;
@@ -161,6 +163,15 @@ Result<BlockPath> BlockGeometry::path_of(const MotionBlock& block, BlockInfo& in
   path.stop_after =
       block.path_mode == PathMode::exact_stop || (control_.corner_mode == kinematics::CornerMode::exact_stop && !rapid);
   return path;
+}
+
+// The long average of rapids would hold a tip on its line only while the rotaries creep: with an arm of 400 mm and
+// 0.01 mm at 0.08 rad/s. The feed's average lets them turn ten times as fast, at a tenth of the acceleration; from
+// about this turn on it is the quicker.
+bool BlockGeometry::turns_about_the_tip(const MotionBlock& block, const Target& target) const {
+  constexpr double turn_rad = 0.025;
+  if (!block.tcp || block.machine_coordinates) return false;
+  return target.by_vector || rotation_between(target.q, q_) > turn_rad;
 }
 
 void BlockGeometry::add_axis_point(const AxisVector& q, BlockPath& path) {

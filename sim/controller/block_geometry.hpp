@@ -65,6 +65,7 @@ class BlockGeometry {
   geometry::Result<void> add_arc(const MotionBlock& block, const Target& target, BlockPath& path);
   geometry::Result<void> add_tcp_point(const MotionBlock& block, const Vec3& tip_P_mm, const AxisVector& rotaries_q,
                                        BlockPath& path);
+  [[nodiscard]] bool turns_about_the_tip(const MotionBlock& block, const Target& target) const;
   void add_axis_point(const AxisVector& q, BlockPath& path);
   void set_speed(const MotionBlock& block, const AxisVector& from_q, const Vec3& from_tip, BlockInfo& info,
                  BlockPath& path) const;
@@ -80,7 +81,7 @@ class BlockGeometry {
   AxisVector q_;
   AxisSolver::State state_;
   BlockInfo* info_ = nullptr;
-  std::optional<bool> was_rapid_;
+  std::optional<bool> was_rapid_, was_feed_average_;
   bool stop_pending_ = false;
 };
 

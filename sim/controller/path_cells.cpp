@@ -66,7 +66,7 @@ int cells_of_turn(const AxisVector& in, const AxisVector& out, int halves, const
 
 PathCell CornerRounder::cell_of(const Piece& piece) const {
   PathCell cell;
-  cell.limits = piece.end.block->rapid ? &rapid_ : &feed_;
+  cell.limits = &limits_of(piece.end);
   cell.speed_sq_max = piece.end.speed_max * piece.end.speed_max;
   cell.limit = piece.end.speed_limit;
   cell.block = piece.end.block;

@@ -58,7 +58,7 @@ class CornerRounder {
   void straight(const Piece& piece, double from, double to, std::vector<PathCell>& cells) const;
   [[nodiscard]] PathCell cell_of(const Piece& piece) const;
   void limit_bend(PathCell& cell, const PathPoint& at) const;
-  const MotionLimits& limits_of(const PathPoint& point) const { return point.block->rapid ? rapid_ : feed_; }
+  const MotionLimits& limits_of(const PathPoint& point) const { return point.block->feed_average ? feed_ : rapid_; }
 
   const MotionLimits &feed_, &rapid_;
   AxisVector at_;

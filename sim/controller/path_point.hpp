@@ -20,6 +20,7 @@ struct BlockInfo {
   std::int64_t line = 0;
   std::int64_t ordinal = 0;  ///< blocks of the program are counted from 0
   bool rapid = false;
+  bool feed_average = true;  ///< its plan goes through the average of feed moves, not through the longer one of rapids
   bool cutting = false;
   double tip_length_mm = 0.0;      ///< of the tip relative to the part
   double programmed_time_s = 0.0;  ///< what its feed asks; rapids: 0

@@ -89,6 +89,22 @@ TEST(FiveAxis, StraightTcpBlockKeepsTheTipStraightWhileTheToolTurns) {
   EXPECT_NEAR(run.samples.back().position[4], 1.2, 1e-9);
 }
 
+// A rapid under TCP keeps the tip on its line too, and is as quick about it as a feed move whose F asks for everything.
+TEST(FiveAxis, ARapidThatTurnsTheToolIsNoSlowerThanTheSameFeedMove) {
+  const auto machine = head_machine();
+  double time_s[2];
+  for (const bool rapid : {true, false}) {
+    auto blocks = std::vector<MotionBlock>{
+        line_to({40, 0, 30}, machine.rapid_mm_s > 0.0 ? machine.rapid_mm_s : 300.0, -1.2, -1.4, true),
+        line_to({-40, 5, 30}, 300.0, -1.2, 1.5, true)};
+    for (MotionBlock& block : blocks) block.kind = rapid ? MotionKind::rapid : MotionKind::line;
+    const Ran run = run_blocks(machine, plain_control(), blocks);
+    time_s[rapid ? 0 : 1] = run.report.cycle_time_s;
+  }
+  EXPECT_LT(time_s[0], 1.02 * time_s[1]);
+  EXPECT_GT(time_s[0], 0.5 * time_s[1]);
+}
+
 TEST(FiveAxis, VectorsTurnOnTheGreatCircle) {
   const auto machine = head_machine();
   auto control = plain_control();
