@@ -118,16 +118,16 @@ Result<std::vector<std::string>> write_results(const path& program, const Bench&
   return write_result_files(out, view, simulated.result, std::nullopt);
 }
 
-/// A row of the comparison: a name, two values under the programs' names, and what stands behind them.
-std::string comparison_row(const std::string& name, const std::string& a, const std::string& b,
-                           const std::string& more = "") {
-  constexpr std::size_t width = 28;
-  const std::string first = a + std::string(a.size() < width ? width - a.size() : 1, ' ');
-  const std::string second = more.empty() ? b : b + std::string(b.size() < width ? width - b.size() : 1, ' ') + more;
-  return table_row(name, first + second);
-}
-
 std::string comparison_table(const Json& first, const Json& second) {
+  const auto first_name = first["program"]["file"].get<std::string>(),
+             second_name = second["program"]["file"].get<std::string>();
+  constexpr std::size_t least_width = 16;  // of a number
+  const std::size_t width = std::max({first_name.size(), second_name.size(), least_width}) + 2;
+  const auto padded = [&](const std::string& text) { return text + std::string(width - text.size(), ' '); };
+  const auto comparison_row = [&](const std::string& name, const std::string& a, const std::string& b,
+                                  const std::string& more = "") {
+    return table_row(name, padded(a) + (more.empty() ? b : padded(b) + more));
+  };
   const auto numbers = [&](const std::string& name, const char* part, const char* key, int decimals, bool percent) {
     if (!first.contains(part) || !second.contains(part)) return std::string();
     const double a = first[part][key].get<double>(), b = second[part][key].get<double>();
@@ -138,8 +138,7 @@ std::string comparison_table(const Json& first, const Json& second) {
   const auto count = [](const Json& report, const char* list) {
     return std::to_string(report.contains(list) ? report[list].size() : 0);
   };
-  std::string text = comparison_row("compared", first["program"]["file"].get<std::string>(),
-                                    second["program"]["file"].get<std::string>(), "the second to the first");
+  std::string text = comparison_row("compared", first_name, second_name, "the second to the first");
   text += numbers("cycle time, s", "run", "cycle_time_s", 3, true);
   text += numbers("actual feed, mm/min", "run", "actual_feed_mm_min", 1, true);
   text += numbers("loss, %", "run", "feed_loss_percent", 2, false);
