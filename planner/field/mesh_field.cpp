@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/check.hpp"
 #include "geometry/mesh_measure.hpp"
 #include "geometry/number_text.hpp"
 #include "planner/field/field_index.hpp"
@@ -28,17 +29,14 @@ double spread(const std::vector<FieldKey>& keys, const FieldMetric& metric) {
   return widest > 0.0 ? widest : 1.0;
 }
 
-FieldMetric metric_of(FieldPlacement placement, const Vec3& size_mm) {
-  if (placement == FieldPlacement::straight) return {FieldDistance::straight_mm, 1.0};
-  if (placement == FieldPlacement::box) return {FieldDistance::parameters, 1.0};
-  const double diameter_mm = std::max(size_mm.x(), size_mm.y());
-  return {FieldDistance::cylinder, size_mm.z() / (std::numbers::pi * diameter_mm)};
-}
-
 Result<void> check_options(const FieldOptions& options) {
   if (options.spline && options.placement == FieldPlacement::straight)
     return geometry::bad_input("field-no-parameters",
                                "field.spline needs parameters: set field.placement to \"box\" or \"cylinder\"");
+  if (options.basis.kind == BasisKind::half_open && options.placement != FieldPlacement::cylinder)
+    return geometry::bad_input("field-basis-placement",
+                               "field.basis = \"half-open\" is measured round a closed direction of length 1: set "
+                               "field.placement to \"cylinder\", or choose another basis");
   if (options.basis.kind == BasisKind::half_open && options.basis.a >= 0.5)
     return geometry::bad_input("field-basis-width",
                                "field.a = " + geometry::short_text(options.basis.a) +
@@ -109,7 +107,19 @@ RadialBasis with_width(RadialBasis basis, const std::vector<FieldKey>& keys, con
   return basis;
 }
 
-FieldPlace SurfaceField::place(const Vec3& point_P_mm) const {
+FieldFrame::FieldFrame(FieldPlacement placement, std::span<const Vec3> points_P_mm) : placement_(placement) {
+  VOLUTE_CHECK(!points_P_mm.empty(), points_P_mm.size());
+  least_mm_ = points_P_mm.front();
+  Vec3 greatest_mm = least_mm_;
+  for (const Vec3& point : points_P_mm) {
+    least_mm_ = least_mm_.cwiseMin(point);
+    greatest_mm = greatest_mm.cwiseMax(point);
+  }
+  size_mm_ = greatest_mm - least_mm_;
+  centre_mm_ = 0.5 * (greatest_mm + least_mm_);
+}
+
+FieldPlace FieldFrame::place(const Vec3& point_P_mm) const {
   FieldPlace result{Vec2::Zero(), point_P_mm};
   const auto share = [&](int k) { return size_mm_[k] > 0.0 ? (point_P_mm[k] - least_mm_[k]) / size_mm_[k] : 0.0; };
   if (placement_ == FieldPlacement::box) result.uv = {share(0), share(1)};
@@ -121,24 +131,26 @@ FieldPlace SurfaceField::place(const Vec3& point_P_mm) const {
   return result;
 }
 
+FieldMetric FieldFrame::metric() const {
+  if (placement_ == FieldPlacement::straight) return {FieldDistance::straight_mm, 1.0};
+  if (placement_ == FieldPlacement::box) return {FieldDistance::parameters, 1.0};
+  const double diameter_mm = std::max(size_mm_.x(), size_mm_.y());
+  return {FieldDistance::cylinder, size_mm_.z() / (std::numbers::pi * diameter_mm)};
+}
+
 Result<SurfaceField> SurfaceField::fit(const geometry::TriangleMesh& mesh, const std::vector<PointKey>& keys,
                                        const FieldOptions& options) {
+  return fit(FieldFrame(options.placement, mesh.vertices_mm), keys, options);
+}
+
+Result<SurfaceField> SurfaceField::fit(const FieldFrame& frame, const std::vector<PointKey>& keys,
+                                       const FieldOptions& options) {
   if (auto good = check_options(options); !good) return tl::unexpected(good.error());
-  SurfaceField field{RbfField{}, options.placement};
-  Vec3 greatest = Vec3::Constant(-std::numeric_limits<double>::infinity());
-  field.least_mm_ = -greatest;
-  for (const Vec3& vertex : mesh.vertices_mm) {
-    field.least_mm_ = field.least_mm_.cwiseMin(vertex);
-    greatest = greatest.cwiseMax(vertex);
-  }
-  field.size_mm_ = greatest - field.least_mm_;
-  field.centre_mm_ = 0.5 * (greatest + field.least_mm_);
   std::vector<FieldKey> placed;
-  for (const PointKey& key : keys) placed.push_back({field.place(key.point_P_mm), key.axis_P});
-  const FieldMetric metric = metric_of(options.placement, field.size_mm_);
-  auto rbf = RbfField::fit(placed, with_width(options.basis, placed, metric), metric);
+  for (const PointKey& key : keys) placed.push_back({frame.place(key.point_P_mm), key.axis_P});
+  auto rbf = RbfField::fit(placed, with_width(options.basis, placed, frame.metric()), frame.metric());
   if (!rbf) return tl::unexpected(rbf.error());
-  field.rbf_ = std::move(*rbf);
+  SurfaceField field(std::move(*rbf), frame);
   if (options.spline) {
     // The grid holds unit axes: between far keys the raw interpolation is short, and a spline of it overshoots.
     const auto sample = [&field](const Vec2& uv) { return field.rbf_.axis({uv, Vec3::Zero()}).value_or(Vec3::Zero()); };

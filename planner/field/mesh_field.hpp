@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,24 +23,44 @@ struct PointKey {
   Vec3 axis_P;
 };
 
+/// Where points lie in the parameters of a placement, laid over the box round some points (a mesh, or a path's
+/// contacts).
+class FieldFrame {
+ public:
+  /// Requires: at least one point.
+  FieldFrame(FieldPlacement placement, std::span<const Vec3> points_P_mm);
+
+  /// straight: without parameters. box: u, v over x, y of the box. cylinder: u the height over the box, v the angle.
+  [[nodiscard]] FieldPlace place(const Vec3& point_P_mm) const;
+  [[nodiscard]] FieldMetric metric() const;
+  /// Of the box in the metric: mm, or 1 in parameters.
+  [[nodiscard]] double extent() const { return placement_ == FieldPlacement::straight ? size_mm_.norm() : 1.0; }
+
+ private:
+  FieldPlacement placement_;
+  Vec3 least_mm_, size_mm_, centre_mm_;
+};
+
 /// A field that can be asked at any point near the mesh.
 class SurfaceField {
  public:
   /// Errors (bad_input): those of RbfField::fit; field-no-parameters (spline without box or cylinder);
-  /// field-basis-width.
+  /// field-basis-placement (half-open without cylinder); field-basis-width.
   static Result<SurfaceField> fit(const geometry::TriangleMesh& mesh, const std::vector<PointKey>& keys,
+                                  const FieldOptions& options);
+  /// The same in a frame of its own. Requires: frame was made for options.placement.
+  static Result<SurfaceField> fit(const FieldFrame& frame, const std::vector<PointKey>& keys,
                                   const FieldOptions& options);
 
   /// Unit axis; nothing where the interpolation vanishes.
   [[nodiscard]] std::optional<Vec3> axis(const Vec3& point_P_mm) const;
   [[nodiscard]] const RbfField& interpolation() const { return rbf_; }
-  [[nodiscard]] FieldPlace place(const Vec3& point_P_mm) const;
+  [[nodiscard]] FieldPlace place(const Vec3& point_P_mm) const { return frame_.place(point_P_mm); }
 
  private:
-  SurfaceField(RbfField rbf, FieldPlacement placement) : rbf_(std::move(rbf)), placement_(placement) {}
+  SurfaceField(RbfField rbf, const FieldFrame& frame) : rbf_(std::move(rbf)), frame_(frame) {}
   RbfField rbf_;
-  FieldPlacement placement_;
-  Vec3 least_mm_ = Vec3::Zero(), size_mm_ = Vec3::Ones(), centre_mm_ = Vec3::Zero();
+  FieldFrame frame_;
   std::optional<FieldSpline> spline_;
 };
 

@@ -13,62 +13,58 @@ namespace {
 
 /// Keys when the user gives none: enough to follow the surface, few enough for well conditioned equations.
 constexpr int own_keys = 24;
-/// A key is not put nearer to another one than this share of the path's extent: the equations would turn singular.
+/// A key is not put nearer to another one than this share of the path's extent, in the field's own distance: the
+/// equations would turn singular.
 constexpr double least_spacing_share = 0.01;
 
-FieldKey key_at(const Station& station, const Vec3& axis_P) {
-  return {{geometry::Vec2::Zero(), station.contact_P_mm}, axis_P};
-}
-
-std::vector<FieldKey> first_keys(const AllowedSet& allowed, const std::vector<Vec3>& reference,
+std::vector<PointKey> first_keys(const AllowedSet& allowed, const std::vector<Vec3>& reference,
                                  const std::vector<FixedPin>& fixed, const OrientationOptions& options) {
-  std::vector<FieldKey> keys;
+  std::vector<PointKey> keys;
+  const auto contact = [&](int i) { return allowed.stations()[static_cast<std::size_t>(i)].contact_P_mm; };
   for (const KeyOrientation& key : options.keys)
-    if (key.point_P_mm) keys.push_back({{geometry::Vec2::Zero(), *key.point_P_mm}, key.axis_P.normalized()});
-  for (const FixedPin& pin : fixed)
-    keys.push_back(key_at(allowed.stations()[static_cast<std::size_t>(pin.index)], pin.axis_P));
+    if (key.point_P_mm) keys.push_back({*key.point_P_mm, key.axis_P.normalized()});
+  for (const FixedPin& pin : fixed) keys.push_back({contact(pin.index), pin.axis_P});
   if (!keys.empty()) return keys;
   const int points = static_cast<int>(allowed.stations().size());
   for (int k = 0; k < own_keys; ++k) {
     const int i = static_cast<int>((static_cast<std::int64_t>(points) - 1) * k / (own_keys - 1));
     const Vec3& wanted = reference[static_cast<std::size_t>(i)];
-    keys.push_back(key_at(allowed.stations()[static_cast<std::size_t>(i)],
-                          allowed.nearest(i, wanted, geometry::Angle()).value_or(wanted)));
+    keys.push_back({contact(i), allowed.nearest(i, wanted, geometry::Angle()).value_or(wanted)});
   }
   return keys;
 }
 
-double extent_mm(std::span<const Station> stations) {
-  Vec3 least = stations.front().contact_P_mm, greatest = least;
-  for (const Station& station : stations) {
-    least = least.cwiseMin(station.contact_P_mm);
-    greatest = greatest.cwiseMax(station.contact_P_mm);
-  }
-  return (greatest - least).norm();
+/// The contacts' box carries the parameters.
+FieldFrame frame_of(const AllowedSet& allowed, FieldPlacement placement) {
+  std::vector<Vec3> contacts;
+  for (const Station& station : allowed.stations()) contacts.push_back(station.contact_P_mm);
+  return {placement, contacts};
 }
 
 /// Adds a key where there is room; says whether it did.
-bool add_key(std::vector<FieldKey>& keys, const FieldKey& key, double least_spacing_mm) {
-  for (const FieldKey& other : keys)
-    if (field_distance({}, other.place, key.place) < least_spacing_mm) return false;
+bool add_key(std::vector<PointKey>& keys, const PointKey& key, const FieldFrame& frame) {
+  const FieldPlace place = frame.place(key.point_P_mm);
+  for (const PointKey& other : keys)
+    if (field_distance(frame.metric(), frame.place(other.point_P_mm), place) < least_spacing_share * frame.extent())
+      return false;
   keys.push_back(key);
   return true;
 }
 
 /// Own keys of neighbouring turns can lie together: keep those with room.
-std::vector<FieldKey> spaced(const std::vector<FieldKey>& keys, double least_spacing_mm) {
-  std::vector<FieldKey> kept;
-  for (const FieldKey& key : keys) add_key(kept, key, least_spacing_mm);
+std::vector<PointKey> spaced(const std::vector<PointKey>& keys, const FieldFrame& frame) {
+  std::vector<PointKey> kept;
+  for (const PointKey& key : keys) add_key(kept, key, frame);
   return kept;
 }
 
-geometry::Result<std::vector<Vec3>> field_axes(const AllowedSet& allowed, const std::vector<FieldKey>& keys,
-                                               const FieldOptions& options) {
-  const auto field = RbfField::fit(keys, with_width(options.basis, keys, {}), {});
+geometry::Result<std::vector<Vec3>> field_axes(const AllowedSet& allowed, const FieldFrame& frame,
+                                               const std::vector<PointKey>& keys, const FieldOptions& options) {
+  const auto field = SurfaceField::fit(frame, keys, options);
   if (!field) return tl::unexpected(field.error());
   std::vector<Vec3> axes(allowed.stations().size(), Vec3::Zero());
   tbb::parallel_for(std::size_t{0}, axes.size(), [&](std::size_t i) {
-    axes[i] = field->axis({geometry::Vec2::Zero(), allowed.stations()[i].contact_P_mm}).value_or(Vec3::Zero());
+    axes[i] = field->axis(allowed.stations()[i].contact_P_mm).value_or(Vec3::Zero());
   });
   for (std::size_t i = 0; i < axes.size(); ++i)
     if (axes[i].isZero())
@@ -91,12 +87,12 @@ std::vector<char> blocked_points(const AllowedSet& allowed, const std::vector<Ve
 geometry::Result<FieldLoopResult> run_field_loop(const AllowedSet& allowed, const std::vector<Vec3>& reference,
                                                  const std::vector<FixedPin>& fixed,
                                                  const OrientationOptions& options) {
-  const double least_spacing_mm = least_spacing_share * extent_mm(allowed.stations());
-  std::vector<FieldKey> keys = spaced(first_keys(allowed, reference, fixed, options), least_spacing_mm);
+  const FieldFrame frame = frame_of(allowed, options.field.placement);
+  std::vector<PointKey> keys = spaced(first_keys(allowed, reference, fixed, options), frame);
   FieldLoopResult result;
   for (result.iterations = 1; result.iterations <= options.iterations_max; ++result.iterations) {
     const auto started = std::chrono::steady_clock::now();
-    auto axes = field_axes(allowed, keys, options.field);
+    auto axes = field_axes(allowed, frame, keys, options.field);
     result.solve_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     if (!axes) return tl::unexpected(axes.error());
     result.axes_P = std::move(*axes);
@@ -109,8 +105,7 @@ geometry::Result<FieldLoopResult> run_field_loop(const AllowedSet& allowed, cons
       const int i = (area.first + area.last) / 2;
       if (const auto axis =
               allowed.nearest(i, result.axes_P[static_cast<std::size_t>(i)], geometry::Angle::degrees(2.0)))
-        added =
-            add_key(keys, key_at(allowed.stations()[static_cast<std::size_t>(i)], *axis), least_spacing_mm) || added;
+        added = add_key(keys, {allowed.stations()[static_cast<std::size_t>(i)].contact_P_mm, *axis}, frame) || added;
     }
     if (!added) return result;
   }

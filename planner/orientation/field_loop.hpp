@@ -18,7 +18,9 @@ struct FieldLoopResult {
 };
 
 /// Key axes: those of the options that have a point; `fixed` ones at stations; with none of either, the reference axis
-/// at stations evenly spaced. The distance is the straight one in mm. Errors (bad_input): those of RbfField::fit;
+/// at stations evenly spaced. The distance is that of options.field.placement, its parameters laid over the box round
+/// the contacts; with options.field.spline the axes are those of the spline through a grid of the interpolation, which
+/// meets keys only as nearly as its grid is fine. Errors (bad_input): those of SurfaceField::fit;
 /// orientation-field-vanishes.
 geometry::Result<FieldLoopResult> run_field_loop(const AllowedSet& allowed, const std::vector<Vec3>& reference,
                                                  const std::vector<FixedPin>& fixed, const OrientationOptions& options);

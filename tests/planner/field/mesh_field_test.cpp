@@ -71,6 +71,15 @@ TEST(MeshField, SplineWithoutParametersIsRefused) {
   EXPECT_EQ(field.error().code, "field-no-parameters");
 }
 
+TEST(MeshField, HalfOpenBasisWithoutAClosedDirectionIsRefused) {
+  for (const FieldPlacement placement : {FieldPlacement::straight, FieldPlacement::box}) {
+    const auto field = field_on_mesh(half_sphere(), {{Vec3::Zero(), Vec3::UnitZ()}},
+                                     {{BasisKind::half_open, 0.4, 1.0, 2}, placement, false, 30, 10});
+    ASSERT_FALSE(field);
+    EXPECT_EQ(field.error().code, "field-basis-placement");
+  }
+}
+
 TEST(MeshField, HalfOpenBasisOfHalfAPeriodIsRefused) {
   const auto field = field_on_mesh(half_sphere(), {{Vec3::Zero(), Vec3::UnitZ()}},
                                    {{BasisKind::half_open, 0.6, 1.0, 2}, FieldPlacement::cylinder, false, 30, 10});

@@ -45,6 +45,54 @@ TEST(FieldLoop, FollowsTheFieldOfItsKeys) {
   }
 }
 
+/// Every placement, interpolated and as a spline, follows the field that is fitted apart from the loop over the box of
+/// the contacts.
+TEST(FieldLoop, FollowsEveryPlacement) {
+  Strip strip({});
+  // Round the middle instead of along it, so that the angle about z says something.
+  const auto on_circle = [](double angle) {
+    const double x = 50.0 + 12.0 * std::cos(angle);
+    return Vec3(x, 12.0 * std::sin(angle), 2.0 * std::sin(0.05 * x));
+  };
+  strip.piece.points.resize(150);
+  for (std::size_t k = 0; k < strip.piece.points.size(); ++k) {
+    strip.piece.points[k].point_P_mm = on_circle(0.04 * static_cast<double>(k));
+    strip.piece.points[k].normal_P = Vec3(-0.1 * std::cos(0.05 * strip.piece.points[k].point_P_mm.x()), 0.0, 1.0);
+    strip.piece.points[k].normal_P.normalize();
+  }
+  const Vec3 lean = Vec3(0.1, 0.3, 1.0).normalized();
+  strip.options.keys = {{{}, on_circle(0.3), lean}, {{}, on_circle(2.2), Vec3::UnitZ()}, {{}, on_circle(4.4), lean}};
+  std::vector<PointKey> keys;
+  for (const KeyOrientation& key : strip.options.keys) keys.push_back({*key.point_P_mm, key.axis_P});
+  std::vector<std::vector<Vec3>> fields;
+  for (const FieldPlacement placement : {FieldPlacement::straight, FieldPlacement::box, FieldPlacement::cylinder}) {
+    for (const bool spline : {false, true}) {
+      if (spline && placement == FieldPlacement::straight) continue;
+      strip.options.field = {};
+      strip.options.field.placement = placement;
+      strip.options.field.spline = spline;
+      const AllowedStrip allowed(strip);
+      const auto result = run_field_loop(allowed.set, upright(allowed), {}, strip.options);
+      ASSERT_TRUE(result) << result.error().message;
+      std::vector<Vec3> contacts;
+      for (const Station& station : allowed.stations) contacts.push_back(station.contact_P_mm);
+      const auto field = SurfaceField::fit(FieldFrame(placement, contacts), keys, strip.options.field);
+      ASSERT_TRUE(field) << field.error().message;
+      for (std::size_t i = 0; i < result->axes_P.size(); i += 7)
+        EXPECT_NEAR((result->axes_P[i] - *field->axis(contacts[i])).norm(), 0.0, 1e-12) << i;
+      fields.push_back(result->axes_P);
+    }
+  }
+  // They are different fields.
+  for (std::size_t a = 0; a < fields.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      double apart = 0.0;
+      for (std::size_t i = 0; i < fields[a].size(); ++i) apart = std::max(apart, (fields[a][i] - fields[b][i]).norm());
+      EXPECT_GT(apart, 1e-6) << a << " " << b;
+    }
+  }
+}
+
 TEST(FieldLoop, AddsKeysWhereSomethingTouchesUntilNothingDoes) {
   Strip strip({testing::wall_beside_the_middle()});
   const AllowedStrip allowed(strip);
