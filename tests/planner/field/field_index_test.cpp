@@ -20,6 +20,11 @@ TEST(FieldIndex, AgreesWithWorkedNumbersInEveryReading) {
   EXPECT_NEAR(indexes.s_td_derivative, expected["derivative_mean_(divide_by_du_dv)"].get<double>(), 1e-12);
   EXPECT_NEAR(indexes.s_td_sum, expected["sum_over_8_no_mean_no_du_dv"].get<double>(), 1e-12);
   EXPECT_NEAR(indexes.dirichlet, expected["dirichlet_mean_no_cross_term"].get<double>(), 1e-12);
+  // The sums that they are made of: central differences over 2 / 4 and 2 / 5, mean over the inner points.
+  const double inner = expected["interior_points"].get<double>(), du_sq = expected["sum_du.du"].get<double>(),
+               dv_sq = expected["sum_dv.dv"].get<double>(), du_dv = expected["sum_du.dv"].get<double>();
+  EXPECT_NEAR(indexes.dirichlet, 0.5 * (4.0 * du_sq + 6.25 * dv_sq) / inner, 1e-12);
+  EXPECT_NEAR(indexes.s_td_derivative - indexes.dirichlet, 5.0 * du_dv / inner, 1e-12);
   EXPECT_NEAR(fitting_accuracy(vec3_list(reference()["I_fa"]["key"]), vec3_list(reference()["I_fa"]["fit"])),
               reference()["I_fa"]["I_fa"].get<double>(), 1e-15);
 }

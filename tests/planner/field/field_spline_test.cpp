@@ -32,6 +32,35 @@ TEST(FieldSpline, AgreesWithWorkedNumbersForBothKnotRules) {
   expect_reference(KnotRule::averaged, "averaged_knots");
 }
 
+// In one closed direction: the same data on every row of u. Collocation at a knot has 1/6, 4/6, 1/6.
+TEST(FieldSpline, ClosedDirectionAgreesWithWorkedNumbers) {
+  const Json& worked = reference()["closed_spline_1d"];
+  const auto data = worked["data"].get<std::vector<double>>();
+  const auto value = [&](const Vec2& uv) {
+    return Vec3(data[static_cast<std::size_t>(std::lround(5.0 * uv.y())) % 5], 0.0, 1.0);
+  };
+  const FieldSpline spline(value, {4, 5, true, KnotRule::averaged});
+  const auto& control = spline.control_points();
+  for (const auto& row : control) {
+    ASSERT_EQ(row.size(), 5u);
+    for (std::size_t j = 0; j < 5; ++j) EXPECT_NEAR(row[j].x(), worked["control"][j].get<double>(), 1e-12) << j;
+  }
+  for (std::size_t k = 0; k < worked["t"].size(); ++k)
+    EXPECT_NEAR(spline.value({0.3, worked["t"][k].get<double>()}).x(), worked["value"][k].get<double>(), 1e-12) << k;
+  const CubicBasis basis = cubic_basis(closed_knots(6), 0.0);
+  const Json& row = reference()["closed_spline_grid"]["closed_collocation_row0"];
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(basis.values[k], row[k].get<double>(), 1e-15) << k;
+}
+
+TEST(FieldSpline, ClampedKnotsAgreeWithWorkedNumbers) {
+  for (const auto& [rule, key] : {std::pair(KnotRule::eq3, "eq3_knots"), {KnotRule::averaged, "averaged_knots"}}) {
+    const auto wanted = reference()["closed_spline_grid"][key]["U"].get<std::vector<double>>();
+    const std::vector<double> knots = open_knots(5, rule);
+    ASSERT_EQ(knots.size(), wanted.size()) << key;
+    for (std::size_t k = 0; k < knots.size(); ++k) EXPECT_NEAR(knots[k], wanted[k], 1e-15) << key << " " << k;
+  }
+}
+
 TEST(FieldSpline, ReproducesCubicPolynomials) {
   const auto cubic = [](const Vec2& p) {
     return Vec3(p.x() * p.x() * p.x() - p.y(), p.x() * p.y() * p.y() * p.y(), 1.0 + p.x() * p.x() * p.y());

@@ -49,6 +49,19 @@ TEST(RbfField, AgreesWithWorkedNumbers) {
   }
 }
 
+// The first row of the interpolation's matrix: basis and distance alone.
+TEST(RbfField, BasisAndDistanceAgreeWithWorkedNumbers) {
+  const std::vector<FieldKey> keys = reference_keys();
+  for (const Setting& setting : settings) {
+    const Json& row = reference()["rbf5"][setting.key]["matrix_row0"];
+    ASSERT_EQ(row.size(), keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const double distance = field_distance(setting.metric, keys[0].place, keys[i].place);
+      EXPECT_NEAR(basis_value(setting.basis, distance), row[i].get<double>(), 1e-15) << setting.key << " key " << i;
+    }
+  }
+}
+
 /// Property 1 over random keys in space.
 TEST(RbfField, MeetsEveryKey) {
   const unsigned seed = 20161207;

@@ -170,6 +170,40 @@ TEST(SmoothCurve, ArcLengthAccelerationTendsToTheNaturalSpline) {
   EXPECT_LT(before, 1e-5);
 }
 
+// The worked natural splines: the same pins with `parts` points to each interval tend to them, with the square of the
+// spacing.
+TEST(SmoothCurve, TendsToTheWorkedNaturalSplines) {
+  const Json all = reference();
+  const auto coarse = all.at("s").get<std::vector<double>>();
+  int cases = 0;
+  for (const auto& [name, one] : all.at("cases").items()) {
+    if (!one.contains("natural_cubic_spline_through_pins")) continue;
+    SCOPED_TRACE(name);
+    ++cases;
+    const auto wanted = one.at("natural_cubic_spline_through_pins").get<std::vector<double>>();
+    ASSERT_EQ(wanted.size(), coarse.size());
+    double before = 0.0;
+    for (const int parts : {20, 80, 320}) {
+      std::vector<double> s = {coarse.front()};
+      for (std::size_t i = 0; i + 1 < coarse.size(); ++i) {
+        for (int k = 1; k <= parts; ++k) s.push_back(coarse[i] + (coarse[i + 1] - coarse[i]) * k / parts);
+      }
+      std::vector<Pin> pins = pins_of(one.at("pins"));
+      for (Pin& pin : pins) pin.index *= parts;
+      const std::vector<double> phi = least_acceleration(s, pins, Weights::arc_length);
+      double worst = 0.0;
+      for (std::size_t i = 0; i < coarse.size(); ++i)
+        worst = std::max(worst, std::abs(phi[i * static_cast<std::size_t>(parts)] - wanted[i]));
+      if (parts > 20) {
+        EXPECT_LT(worst, before / 12.0 + 1e-10) << parts;
+      }
+      before = worst;
+    }
+    EXPECT_LT(before, 1e-4);
+  }
+  EXPECT_EQ(cases, 2);
+}
+
 TEST(SmoothCurve, HoldsItsAccuracyAtAMillionPoints) {
   const int n = 1000000;
   std::vector<double> s(static_cast<std::size_t>(n) + 1);
