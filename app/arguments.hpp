@@ -58,6 +58,8 @@ struct MachinesArguments {
 };
 struct RenderArguments {
   path folder;
+  std::vector<int> points;       ///< cutting points whose C-space maps are wanted
+  std::optional<int> narrowest;  ///< and so many where the least is allowed; nothing: one, where there are obstacles
 };
 struct ReproduceArguments {
   std::vector<std::string> items;  ///< empty: all

@@ -116,6 +116,15 @@ void add_other_commands(CLI::App& app, Places& places) {
   machines->add_option("NAME", places.machines.name, "Profile name or path");
   CLI::App* render = add_command(app, places.common, "render", "The pictures of a run again, from its files");
   render->add_option("DIR", places.render.folder, "Folder that `volute run` or `volute simulate` wrote")->required();
+  render
+      ->add_option("--point", places.render.points,
+                   "Draw the C-space map at this CC point too: what is allowed there, and what blocks the rest")
+      ->check(CLI::NonNegativeNumber);
+  render
+      ->add_option("--narrowest", places.render.narrowest,
+                   "Draw the maps of so many places where the least is allowed (default: 1, where there are obstacles)")
+      ->check(CLI::Range(0, 100));
+  render->footer("Example: volute render obstacle-post --point 1200 --narrowest 3");
   CLI::App* reproduce = add_command(app, places.common, "reproduce",
                                     "Tables and figures of [Sun2016] and [Huang2016]: the paper's value beside ours");
   reproduce->add_option("ITEM", places.reproduce.items, "What to make (default: all, which takes minutes)");

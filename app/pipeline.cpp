@@ -156,6 +156,18 @@ geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const pl
   return sim::verify(request);
 }
 
+view::OrientationRule orientation_rule(const JobInputs& inputs, const planner::PlanResult& plan) {
+  const planner::OrientationOptions& asked = inputs.job.orientation;
+  return {asked.tilt,
+          asked.yaw,
+          asked.tilt_min,
+          asked.tilt_max,
+          inputs.job.clearance_mm,
+          inputs.job.gouge_tolerance_mm,
+          inputs.fixture_count,
+          plan.rotaries_rad};
+}
+
 view::RunView run_view(const JobInputs& inputs, const planner::PlanResult& plan, const post::PostResult& posted,
                        const sim::VerifyResult& verified) {
   view::RunView view;
@@ -167,6 +179,7 @@ view::RunView run_view(const JobInputs& inputs, const planner::PlanResult& plan,
   view.setup = inputs.job.setup;
   view.profile = inputs.profile;
   view.tool_path = plan.tool_path;
+  view.orientation = orientation_rule(inputs, plan);
   view.trace = verified.trace;
   view.cut = verified.cut;
   view.findings = verified.findings;

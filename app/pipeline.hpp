@@ -44,6 +44,9 @@ geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const pl
 view::RunView run_view(const JobInputs& inputs, const planner::PlanResult& plan, const post::PostResult& posted,
                        const sim::VerifyResult& verified);
 
+/// What a plan was allowed to do, for its C-space maps.
+view::OrientationRule orientation_rule(const JobInputs& inputs, const planner::PlanResult& plan);
+
 /// The plan as CL data, ISO 4343.
 std::string cl_text(const JobInputs& inputs, const planner::PlanResult& plan);
 

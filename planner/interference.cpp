@@ -27,11 +27,6 @@ bool is_closed(const geometry::TriangleMesh& mesh) {
   return !forward.empty() && forward == backward;
 }
 
-/// The cone round the shape of a tool at `pose`, seen from where the mesh `X` stands.
-AxialCone cone_round(const PlacedShape& shape, const ToolPose& pose) {
-  return {pose.tip_P_mm, pose.axis_P, shape.z_min_mm, shape.z_max_mm, shape.bottom_radius_mm, shape.top_radius_mm};
-}
-
 ToolPose seen_from(const geometry::Transform& X_from, const geometry::Transform& X_pose, const ToolPose& pose) {
   const geometry::Transform X = X_from.inverse() * X_pose;
   return {X * pose.tip_P_mm, X.linear() * pose.axis_P};
@@ -90,6 +85,7 @@ void Interference::Trees::add_body(const geometry::TriangleMesh& mesh, std::stri
 
 void Interference::Trees::add_scene(const Scene& scene) {
   motion_tolerance_mm = scene.motion_tolerance_mm;
+  gouge_tolerance_mm = scene.gouge_tolerance_mm;
   add_body(scene.part, "part", true);
   std::size_t index = 0;
   const auto name = [&](const char* kind) {

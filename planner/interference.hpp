@@ -9,6 +9,7 @@
 
 #include "geometry/mesh.hpp"
 #include "kinematics/model/machine.hpp"
+#include "planner/sphere_tree.hpp"
 
 namespace volute::planner {
 
@@ -46,7 +47,7 @@ struct ToolMotion {
 ///
 /// Properties, each with a test of that name: 1. CutterMayTouchButNotGouge. 2. HolderKeepsTheClearance.
 /// 3. ClearanceBoundsMotion. 4. MotionAgreesWithDenseSampling: what is told free is free at every one of many samples.
-/// 5. LinksKeepTheClearance.
+/// 5. LinksKeepTheClearance. 6. StaysFreeHoldsForEveryTurn. 7. StaysBlockedHoldsForEveryTurn.
 class Interference {
  public:
   /// Builds the trees once. `machine` and `setup` may be null: then only the tool assembly is checked.
@@ -90,6 +91,13 @@ class Interference {
   /// How deep the assembly surely stands in something it must not touch (without the ball against the part): every pose
   /// whose points all lie nearer than this to where they are here touches too. A lower bound, 0 when nothing is known.
   [[nodiscard]] double depth_mm(const kinematics::ToolPose& pose) const;
+  /// Is the assembly surely free (but for the ball against the part) wherever within `turn` it turns? `turn.pivot_mm`
+  /// in P, its ball that of the true cutter at the part. A flat or bull cutter that turns about its contact can be told
+  /// free, which clearance_mm never does. False where it is not known.
+  [[nodiscard]] bool stays_free(const kinematics::ToolPose& pose, const TurnBound& turn) const;
+  /// Does the assembly surely touch what it must not (without the ball against the part), wherever within `turn` it
+  /// turns? False where it is not known.
+  [[nodiscard]] bool stays_blocked(const kinematics::ToolPose& pose, const TurnBound& turn) const;
   /// How deep the ball of a ball or taper-ball cutter goes into the part surface, mm; 0 when it does not, and for other
   /// shapes.
   [[nodiscard]] double tip_depth_mm(const kinematics::ToolPose& pose) const;

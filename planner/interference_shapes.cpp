@@ -121,6 +121,14 @@ PlacedShape grown_corner(const ToolPiece& piece, double growth_mm) {
   placed.z_max_mm = rings.back().z_mm;
   placed.bottom_radius_mm = placed.top_radius_mm = rings.back().radius_mm;
   placed.shape = polyhedron(rings, corner_sides);
+  placed.has_disc = true;
+  placed.disc_z_mm = piece.corner_radius_mm;
+  placed.disc_radius_mm = grow ? circumscribed(circle, corner_sides) : circle;
+  placed.outer_arc_mm = grow ? circumscribed(reach, corner_sides) : arc;
+  // Grown, the polyhedron holds the true shape; shrunk, its flats cut into it between the corners.
+  const double flats = arc * (1.0 - std::cos(0.25 * std::numbers::pi / pieces)) +
+                       (circle + arc) * (1.0 - std::cos(std::numbers::pi / corner_sides));
+  placed.inner_arc_mm = grow ? arc - (placed.disc_radius_mm - circle) : std::max(arc - flats, 0.0);
   return placed;
 }
 

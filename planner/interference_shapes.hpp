@@ -39,6 +39,10 @@ struct PlacedShape {
   bool is_cone = false;
   /// The cone with its radii times this lies inside the shape; 0: none is known.
   double inner_share = 0.0;
+  /// A bull cutter's corner lies within the balls of outer_arc_mm about the points of a disc, and holds those of
+  /// inner_arc_mm. Other shapes: has_disc is false.
+  bool has_disc = false;
+  double disc_z_mm = 0.0, disc_radius_mm = 0.0, outer_arc_mm = 0.0, inner_arc_mm = 0.0;
   /// Farthest point of the cone round it from the tip.
   [[nodiscard]] double reach_mm() const {
     return std::hypot(std::max(std::abs(z_min_mm), std::abs(z_max_mm)), radius_mm());

@@ -51,6 +51,11 @@ struct WatchedPair {
   bool is_tip_at_part = false;
 };
 
+/// The cone round the shape of a tool at `pose`.
+inline AxialCone cone_round(const PlacedShape& shape, const kinematics::ToolPose& pose) {
+  return {pose.tip_P_mm, pose.axis_P, shape.z_min_mm, shape.z_max_mm, shape.bottom_radius_mm, shape.top_radius_mm};
+}
+
 /// Where everything stands. X_M_place[k]: the motion of what stands behind k axes of the chain.
 struct Stand {
   kinematics::ToolPose pose;
@@ -66,7 +71,8 @@ struct Interference::Trees {
   std::size_t assembly_pairs = 0;
   std::optional<kinematics::Machine> machine;
   kinematics::Setup setup;
-  double tool_length_mm = 0.0, top_mm = 0.0, reach_mm = 0.0, ball_radius_mm = 0.0, motion_tolerance_mm = 0.0;
+  double tool_length_mm = 0.0, top_mm = 0.0, reach_mm = 0.0, ball_radius_mm = 0.0, motion_tolerance_mm = 0.0,
+         gouge_tolerance_mm = 0.0;
   double linear_gain = 1.0;  ///< how far the linear axes go for a mm of the tip at most: 1 when they are square
 
   void add_body(const geometry::TriangleMesh& mesh, std::string name, bool is_part);

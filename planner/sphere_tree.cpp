@@ -3,41 +3,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "planner/sphere_tree_walk.hpp"
+
 namespace volute::planner {
+
+using walk::Entry;
+using walk::Piece;
+using walk::Stack;
 
 namespace {
 
 constexpr int leaf_triangles = 2;
-// What stands clear by this much is clear.
-constexpr double rounding_mm = 1e-7;
 // Near the cone a triangle is quartered so often: the bound errs by an eighth of its size.
 constexpr int leaf_halvings = 3;
+// A bound this near to a corner's distance, as a share of the triangle's size, is not made better.
+constexpr double leaf_error_share = 0.125;
 // Triangles longer than this share of the mesh's box (or this many mm) are cut up.
 constexpr double long_edge_share = 1.0 / 48.0, long_edge_mm = 1.0;
-constexpr int stack_size = 128;  // two entries a level; medians halve, so 64 levels are beyond any index
-
-struct Entry {
-  int node;
-  double bound;
-};
-
-/// Children to visit, the nearer one on top.
-class Stack {
- public:
-  void push(int node, double bound) { entries_[static_cast<std::size_t>(size_++)] = {node, bound}; }
-  Entry pop() { return entries_[static_cast<std::size_t>(--size_)]; }
-  [[nodiscard]] bool empty() const { return size_ == 0; }
-
- private:
-  std::array<Entry, stack_size> entries_;
-  int size_ = 0;
-};
-
-struct Piece {
-  Vec3 a, b, c;
-};
 
 /// Halves the longest edge until none is longer than `most_mm`.
 void cut_up(const Piece& whole, double most_mm, std::vector<Piece>& pieces) {
@@ -67,15 +52,48 @@ double longest_wanted_mm(const geometry::TriangleMesh& mesh) {
   return box.isEmpty() ? long_edge_mm : std::max(long_edge_mm, long_edge_share * box.diagonal().norm());
 }
 
-/// Lowers `best` to a lower bound on the distance of cone and triangle: the ball round it, or those round its quarters.
+/// The greatest component along `direction` of any point of the cone.
+double support_mm(const AxialCone& cone, const Vec3& direction) {
+  const double along = direction.dot(cone.axis);
+  const double square = std::sqrt(std::max(direction.squaredNorm() - along * along, 0.0));
+  return direction.dot(cone.base_mm) + std::max(cone.z_min_mm * along + cone.bottom_radius_mm * square,
+                                                cone.z_max_mm * along + cone.top_radius_mm * square);
+}
+
+/// The point of the cone that is nearest to one outside it.
+Vec3 nearest_in_cone(const AxialCone& cone, const Vec3& point_mm) {
+  const Vec3 d = point_mm - cone.base_mm;
+  const double z = d.dot(cone.axis);
+  const Vec3 square = d - z * cone.axis;
+  const double rho = square.norm();
+  // In the half-plane through the axis: the side, then the end that the point lies beyond.
+  const double rise = cone.z_max_mm - cone.z_min_mm, widening = cone.top_radius_mm - cone.bottom_radius_mm;
+  const double along = (z - cone.z_min_mm) * rise + (rho - cone.bottom_radius_mm) * widening;
+  const double t = std::clamp(along / std::max(rise * rise + widening * widening, 1e-300), 0.0, 1.0);
+  double at_z = cone.z_min_mm + t * rise, at_rho = cone.bottom_radius_mm + t * widening;
+  const auto prefer = [&](double other_z, double other_rho) {
+    if (std::hypot(z - other_z, rho - other_rho) < std::hypot(z - at_z, rho - at_rho))
+      at_z = other_z, at_rho = other_rho;
+  };
+  if (z < cone.z_min_mm) prefer(cone.z_min_mm, std::min(rho, cone.bottom_radius_mm));
+  if (z > cone.z_max_mm) prefer(cone.z_max_mm, std::min(rho, cone.top_radius_mm));
+  return cone.base_mm + at_z * cone.axis + (rho > 0.0 ? Vec3(square * (at_rho / rho)) : Vec3::Zero().eval());
+}
+
+/// Lowers `best` to a lower bound on the distance of cone and triangle: of the ball round it, of parallel planes
+/// between them, or of its quarters.
 void lower_bound_mm(const AxialCone& cone, const Piece& t, int halvings, double& best) {
   const Vec3 centre = (t.a + t.b + t.c) / 3.0;
   const double radius =
       std::sqrt(std::max({(t.a - centre).squaredNorm(), (t.b - centre).squaredNorm(), (t.c - centre).squaredNorm()}));
   const double to_centre = distance_bound_mm(cone, centre);
   if (to_centre - radius >= best) return;
-  if (to_centre <= 0.0 || halvings == 0) {
-    best = std::min(best, to_centre - radius);
+  const double bound = std::max(to_centre - radius, walk::parted_mm(cone, t));
+  if (bound >= best) return;
+  const double corner =
+      std::min({distance_bound_mm(cone, t.a), distance_bound_mm(cone, t.b), distance_bound_mm(cone, t.c)});
+  if (to_centre <= 0.0 || halvings == 0 || corner - bound <= leaf_error_share * radius) {
+    best = std::min(best, bound);
     return;
   }
   const Vec3 ab = 0.5 * (t.a + t.b), bc = 0.5 * (t.b + t.c), ca = 0.5 * (t.c + t.a);
@@ -99,6 +117,22 @@ bool ray_crosses(const Vec3& from, const Vec3& direction, const Vec3& a, const V
 }
 
 }  // namespace
+
+double walk::parted_mm(const AxialCone& cone, const Piece& t) {
+  double most = -std::numeric_limits<double>::infinity();
+  const auto part_along = [&](Vec3 direction) {
+    const double length = direction.norm();
+    if (length < 1e-12) return;
+    direction /= length;
+    const double least = std::min({direction.dot(t.a), direction.dot(t.b), direction.dot(t.c)});
+    most = std::max(most, least - support_mm(cone, direction));
+  };
+  const Vec3 centre = (t.a + t.b + t.c) / 3.0, normal = (t.b - t.a).cross(t.c - t.a);
+  part_along(normal);
+  part_along(-normal);
+  part_along(centre - nearest_in_cone(cone, centre));
+  return most;
+}
 
 double distance_bound_mm(const AxialCone& cone, const Vec3& point_mm) {
   const Vec3 d = point_mm - cone.base_mm;
@@ -219,13 +253,16 @@ double SphereTree::clearance_mm(const AxialCone& cone, double cap_mm) const {
 
 bool SphereTree::triangle_is_clear(const AxialCone& cone, std::size_t triangle, double by_mm) const {
   const Corners& t = corners_[triangle];
+  // A corner that is too near decides at once.
+  if (std::min({distance_bound_mm(cone, t.a), distance_bound_mm(cone, t.b), distance_bound_mm(cone, t.c)}) < by_mm)
+    return false;
   double clear = by_mm;
   lower_bound_mm(cone, {t.a, t.b, t.c}, leaf_halvings, clear);
   return clear >= by_mm;
 }
 
 bool SphereTree::any_meets(const AxialCone& cone, bool cone_is_shape, const TriangleTest& meets) const {
-  if (nodes_.empty() || cone_gap_mm(cone) > rounding_mm) return false;
+  if (nodes_.empty() || cone_gap_mm(cone) > clear_rounding_mm) return false;
   const auto bound = [&](int n) {
     const Node& node = nodes_[static_cast<std::size_t>(n)];
     return distance_bound_mm(cone, node.centre_mm) - node.radius_mm;
@@ -233,20 +270,20 @@ bool SphereTree::any_meets(const AxialCone& cone, bool cone_is_shape, const Tria
   const auto leaf_meets = [&](int k) {
     const Ball& ball = balls_[static_cast<std::size_t>(k)];
     const double to_centre = distance_bound_mm(cone, ball.centre_mm);
-    if (to_centre - ball.radius_mm > rounding_mm) return false;
+    if (to_centre - ball.radius_mm > clear_rounding_mm) return false;
     if (to_centre <= 0.0 && cone_is_shape) return true;
     const Corners& t = corners_[static_cast<std::size_t>(k)];
     const double least =
         std::min({distance_bound_mm(cone, t.a), distance_bound_mm(cone, t.b), distance_bound_mm(cone, t.c)});
     if (least <= 0.0 && cone_is_shape) return true;
-    const bool clear = least > 0.0 && triangle_is_clear(cone, static_cast<std::size_t>(k), rounding_mm);
+    const bool clear = least > 0.0 && triangle_is_clear(cone, static_cast<std::size_t>(k), clear_rounding_mm);
     return !clear && meets(t.a, t.b, t.c);
   };
   Stack stack;
   stack.push(0, bound(0));
   while (!stack.empty()) {
     const Entry top = stack.pop();
-    if (top.bound > rounding_mm) continue;
+    if (top.bound > clear_rounding_mm) continue;
     const Node& node = nodes_[static_cast<std::size_t>(top.node)];
     for (int k = 0; k < node.count; ++k) {
       if (leaf_meets(node.first + k)) return true;

@@ -18,6 +18,22 @@ struct AxialCone {
   double z_min_mm = 0.0, z_max_mm = 0.0, bottom_radius_mm = 0.0, top_radius_mm = 0.0;
 };
 
+/// How far the points of a body move when it turns about a pivot: one that stands r mm from it by no more than
+/// min(slope_mm_per_mm r, offset_mm + far_slope_mm_per_mm r), and to a place that stands r from it too.
+struct TurnBound {
+  Vec3 pivot_mm = Vec3::Zero();
+  double slope_mm_per_mm = 0.0;
+  double offset_mm = 0.0, far_slope_mm_per_mm = 0.0;
+  /// What of the body (grown as it is) comes as near to the pivot as within_mm lies in this ball, whatever the turn.
+  /// within_mm = 0: nothing is known.
+  Vec3 ball_centre_mm = Vec3::Zero();
+  double ball_radius_mm = 0.0, within_mm = 0.0;
+  [[nodiscard]] double moved_mm(double from_pivot_mm) const {
+    const double near = slope_mm_per_mm * from_pivot_mm, far = offset_mm + far_slope_mm_per_mm * from_pivot_mm;
+    return near < far ? near : far;
+  }
+};
+
 /// A lower bound on the distance from a point to the solid cone, mm: exact for a cylinder; 0 exactly when the point is
 /// inside.
 double distance_bound_mm(const AxialCone& cone, const Vec3& point_mm);
@@ -29,6 +45,7 @@ double distance_mm(const Vec3& point_mm, const Vec3& a_mm, const Vec3& b_mm, con
 /// Built once, then read by any number of threads.
 /// Properties, each with a test of that name: 1. ClearanceIsLowerBound. 2. PointDistanceIsExact. 3. ParityTellsInside.
 /// 4. MeshDistanceIsExact. 5. DepthIsLowerBound.
+/// (What holds for turns is tested by Interference's properties 6 and 7.)
 /// Large triangles are cut up first: a sphere round a long sliver bounds nothing.
 class SphereTree {
  public:
@@ -42,6 +59,15 @@ class SphereTree {
   /// Is every point of the mesh surely farther from the cone than `by_mm`? As clearance_mm(cone, by_mm) >= by_mm, but
   /// it ends at the first triangle that cannot be told clear.
   [[nodiscard]] bool is_clear(const AxialCone& cone, double by_mm) const;
+
+  /// Does every point of the mesh stay clear of the cone grown by `grown_mm` on all sides, wherever within `turn` it
+  /// turns? A shape that turns about a point it touches can be told clear, which no distance alone could. False where
+  /// it is not known.
+  [[nodiscard]] bool is_clear_of_turn(const AxialCone& cone, double grown_mm, const TurnBound& turn) const;
+
+  /// Is there a point of the mesh that stays inside the cone grown by `grown_mm`, wherever within `turn` it turns?
+  /// False where none is known: corners and middles of the triangles are looked at.
+  [[nodiscard]] bool is_inside_for_turn(const AxialCone& cone, double grown_mm, const TurnBound& turn) const;
 
   /// Does any triangle meet a shape that lies within the cone? Triangles that stand clear of the cone do not; where the
   /// cone is the shape itself a triangle with a corner or its middle inside does; `meets` is asked of the others.

@@ -34,7 +34,8 @@ using CairoPtr = std::unique_ptr<cairo_t, CairoCloser>;
 using SurfacePtr = std::unique_ptr<cairo_surface_t, CairoCloser>;
 
 constexpr Colour free_colour{0.62F, 0.86F, 0.66F}, tilt_colour{0.86F, 0.86F, 0.86F}, width_colour{0.74F, 0.74F, 0.78F},
-    travel_colour{0.60F, 0.60F, 0.60F}, ink{0.10F, 0.10F, 0.10F}, chosen_colour{0.0F, 0.0F, 0.0F};
+    travel_colour{0.60F, 0.60F, 0.60F}, ink{0.10F, 0.10F, 0.10F}, chosen_colour{0.0F, 0.0F, 0.0F},
+    unsure_colour{1.0F, 1.0F, 1.0F};
 /// Okabe and Ito, without green and black.
 constexpr std::array<Colour, 6> blocker_colours{{{0.84F, 0.37F, 0.00F},
                                                  {0.00F, 0.45F, 0.70F},
@@ -43,14 +44,11 @@ constexpr std::array<Colour, 6> blocker_colours{{{0.84F, 0.37F, 0.00F},
                                                  {0.34F, 0.71F, 0.91F},
                                                  {0.45F, 0.30F, 0.15F}}};
 
-Colour blended(const Colour& a, const Colour& b) {
-  return {0.5F * (a[0] + b[0]), 0.5F * (a[1] + b[1]), 0.5F * (a[2] + b[2])};
-}
-
 Colour blocker_colour(int blocker) {
   return blocker < 0 ? ink : blocker_colours[static_cast<std::size_t>(blocker) % blocker_colours.size()];
 }
 
+/// An unsure cell is white: a thin line along the border of what is free.
 Colour cell_colour(const OrientationCell& cell) {
   switch (cell.state) {
     case OrientationState::free:
@@ -66,7 +64,7 @@ Colour cell_colour(const OrientationCell& cell) {
     case OrientationState::unsure:
       break;
   }
-  return blended({1.0F, 1.0F, 1.0F}, cell.centre_free ? free_colour : blocker_colour(cell.blocker));
+  return unsure_colour;
 }
 
 void ink_with(cairo_t* cairo, const Colour& colour) { cairo_set_source_rgb(cairo, colour[0], colour[1], colour[2]); }
@@ -182,7 +180,7 @@ std::vector<ColourKey> keys_of(const OrientationMap& map) {
   if (shows(OrientationState::free)) keys.push_back({"free", free_colour});
   for (std::size_t k = 0; k < map.blockers.size(); ++k)
     keys.push_back({map.blockers[k], blocker_colour(static_cast<int>(k))});
-  if (shows(OrientationState::unsure)) keys.push_back({"paler: within the resolution", {0.97F, 0.90F, 0.82F}});
+  if (shows(OrientationState::unsure)) keys.push_back({"not told apart", unsure_colour});
   if (shows(OrientationState::tilt_limit)) keys.push_back({"tilt limit", tilt_colour});
   if (shows(OrientationState::width_limit)) keys.push_back({"cut too narrow", width_colour});
   if (shows(OrientationState::travel_limit)) keys.push_back({"axis travel", travel_colour});
@@ -206,18 +204,38 @@ void draw_keys(cairo_t* cairo, const OrientationMap& map) {
   }
 }
 
+std::string resolution_text(const OrientationMap& map) {
+  const auto percent = [](const OrientationChart& chart) { return short_text(100.0 * unsure_share(chart), 2) + " %"; };
+  return "free and blocked are proved for whole cells; not told apart at " +
+         short_text(map.resolution_rad * degrees_per_radian, 3) + " deg: " + percent(map.lean) + " and " +
+         percent(map.rotaries) + " of the areas";
+}
+
 std::string point_text(const OrientationMap& map) {
   const geometry::Vec3& p = map.contact_P_mm;
   std::string text = "CC point " + std::to_string(map.cc_point) + " at (" + short_text(p.x(), 4) + ", " +
                      short_text(p.y(), 4) + ", " + short_text(p.z(), 4) + ") mm; " +
                      short_text(100.0 * map.free_share, 3) + " % of the directions within the tilt limits are free";
-  if (map.margin_rad)
-    text += "; ring: the orientation chosen, free for " + short_text(*map.margin_rad * degrees_per_radian, 3) +
-            " deg all round at least";
   return text;
 }
 
+std::string choice_text(const OrientationMap& map) {
+  if (!map.margin_rad) return {};
+  return "ring: the orientation chosen, free for " + short_text(*map.margin_rad * degrees_per_radian, 3) +
+         " deg all round at least; line: the path before and after";
+}
+
 }  // namespace
+
+double unsure_share(const OrientationChart& chart) {
+  double unsure = 0.0, all = 0.0;
+  for (const OrientationCell& cell : chart.cells) {
+    const double area = (cell.greatest[0] - cell.least[0]) * (cell.greatest[1] - cell.least[1]);
+    all += area;
+    if (cell.state == OrientationState::unsure) unsure += area;
+  }
+  return all > 0.0 ? unsure / all : 0.0;
+}
 
 Image draw_cspace_map(const OrientationMap& map, const std::string& title) {
   Image image{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(4 * width * height), 255)};
@@ -227,7 +245,8 @@ Image draw_cspace_map(const OrientationMap& map, const std::string& title) {
     const CairoPtr cairo(cairo_create(surface.get()));
     ink_with(cairo.get(), ink);
     write(cairo.get(), 40, 52, title, 32, 0.0, true);
-    write(cairo.get(), 40, 92, point_text(map), 22, 0.0);
+    write(cairo.get(), 40, 90, point_text(map), 22, 0.0);
+    write(cairo.get(), 40, 120, choice_text(map), 22, 0.0);
     double left = 110;
     for (const OrientationChart* chart : {&map.lean, &map.rotaries}) {
       const Panel panel = panel_of(*chart, left);
@@ -237,10 +256,7 @@ Image draw_cspace_map(const OrientationMap& map, const std::string& title) {
       left += panel_width + 130;
     }
     draw_keys(cairo.get(), map);
-    write(cairo.get(), width - 40, height - 16,
-          "cells down to " + short_text(map.resolution_rad * degrees_per_radian, 3) +
-              " deg; line: the path before and after",
-          20, 1.0);
+    write(cairo.get(), width - 40, height - 16, resolution_text(map), 20, 1.0);
     cairo_surface_flush(surface.get());
   }
   // cairo leaves the fourth byte of RGB24 undefined.

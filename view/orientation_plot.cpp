@@ -1,5 +1,7 @@
 #include "view/orientation_plot.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "geometry/check.hpp"
@@ -60,6 +62,27 @@ Plot rotary_comparison_plot(const std::vector<RotaryCurve>& curves, double feed_
     for (PlotPanel* panel : {&position, &velocity, &acceleration}) plot.panels.push_back(std::move(*panel));
   }
   return plot;
+}
+
+std::array<RotaryPeak, 2> rotary_peaks(const RotaryCurve& curve, double feed_mm_s) {
+  std::array<RotaryPeak, 2> peaks;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const Rates rates = rates_of(curve, axis, feed_mm_s);
+    for (const Vec2& v : rates.velocity_rad_s)
+      peaks[axis].velocity_rad_s = std::max(peaks[axis].velocity_rad_s, std::abs(v.y()));
+    for (const Vec2& a : rates.acceleration_rad_s2)
+      peaks[axis].acceleration_rad_s2 = std::max(peaks[axis].acceleration_rad_s2, std::abs(a.y()));
+  }
+  return peaks;
+}
+
+double least_spacing_mm(const RotaryCurve& curve) {
+  const std::vector<std::size_t> at = distinct_points(curve);
+  VOLUTE_CHECK(at.size() >= 2, at.size());
+  double least = curve.length_mm[at[1]] - curve.length_mm[at[0]];
+  for (std::size_t k = 1; k + 1 < at.size(); ++k)
+    least = std::min(least, curve.length_mm[at[k + 1]] - curve.length_mm[at[k]]);
+  return least;
 }
 
 }  // namespace volute::view

@@ -27,4 +27,13 @@ struct RotaryPlotText {
 /// least three points of different length, feed above 0.
 Plot rotary_comparison_plot(const std::vector<RotaryCurve>& curves, double feed_mm_s, const RotaryPlotText& text);
 
+/// Greatest magnitudes of those quotients.
+struct RotaryPeak {
+  double velocity_rad_s = 0.0, acceleration_rad_s2 = 0.0;
+};
+std::array<RotaryPeak, 2> rotary_peaks(const RotaryCurve& curve, double feed_mm_s);
+
+/// Between points of different length. Requires: two of these.
+double least_spacing_mm(const RotaryCurve& curve);
+
 }  // namespace volute::view

@@ -1,11 +1,13 @@
 // All that pictures and the report need of a run, and the functions that draw it. view knows no planner.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "geometry/angle.hpp"
 #include "geometry/mesh.hpp"
 #include "geometry/result.hpp"
 #include "kinematics/model/control.hpp"
@@ -18,6 +20,15 @@ namespace volute::view {
 
 using geometry::Result;
 
+/// What the tool was allowed to do, beside the bodies: enough to ask again which orientations are free at a point.
+struct OrientationRule {
+  geometry::Angle tilt, yaw;           ///< planned, from the normal and about it
+  geometry::Angle tilt_min, tilt_max;  ///< limits from the normal
+  double clearance_mm = 0.0, gouge_tolerance_mm = 0.0;
+  std::size_t fixtures = 0;                         ///< the last so many of the obstacles are fixtures
+  std::vector<std::array<double, 2>> rotaries_rad;  ///< (axes[3], axes[4]) at the cutting points, in order
+};
+
 /// A run as it is drawn. Empty members leave their picture out. Part frame P throughout.
 struct RunView {
   std::string title;  ///< "mouse on ac-head-fanuc"
@@ -28,7 +39,8 @@ struct RunView {
   kinematics::Setup setup;
   std::optional<kinematics::Profile> profile;
   kinematics::ToolPath tool_path;  ///< what was planned (or read from CL data); may be empty for foreign programs
-  sim::TraceView trace;            ///< what the axes did
+  std::optional<OrientationRule> orientation;  ///< of what was planned
+  sim::TraceView trace;                        ///< what the axes did
   std::optional<sim::CutSurfaceReport> cut;
   std::vector<sim::Finding> findings;
   std::string report_json;  ///< report.json as text: the numbers that the page shows

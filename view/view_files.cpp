@@ -17,7 +17,7 @@ using geometry::Vec2;
 using geometry::Vec3;
 
 constexpr const char* file_name = "view.cbor.z";
-constexpr int layout_version = 2;
+constexpr int layout_version = 3;
 /// tip, axis, contact, normal, feed, turn, move.
 constexpr std::size_t point_doubles = 15;
 
@@ -172,6 +172,26 @@ std::vector<sim::Finding> findings_of(const Json& json) {
   return findings;
 }
 
+Json rule_json(const OrientationRule& rule) {
+  return {{"angles", {rule.tilt.radians(), rule.yaw.radians(), rule.tilt_min.radians(), rule.tilt_max.radians()}},
+          {"clearance", rule.clearance_mm},
+          {"gouge", rule.gouge_tolerance_mm},
+          {"fixtures", rule.fixtures},
+          {"rotaries", binary(rule.rotaries_rad)}};
+}
+
+OrientationRule rule_of(const Json& json) {
+  const auto angle = [&](std::size_t k) { return geometry::Angle::radians(json.at("angles").at(k).get<double>()); };
+  return {angle(0),
+          angle(1),
+          angle(2),
+          angle(3),
+          json.at("clearance"),
+          json.at("gouge"),
+          json.at("fixtures"),
+          values_of<std::array<double, 2>>(json.at("rotaries"))};
+}
+
 Json map_json(const RunView& view) {
   std::vector<double> vertices;
   for (const Vec2& vertex : view.map_vertices) append(vertices, vertex);
@@ -202,6 +222,7 @@ RunView view_of(const Json& json) {
   const auto setup = values_of<double>(json.at("setup"));
   view.setup.part_in_machine.matrix() = Eigen::Map<const Eigen::Matrix4d>(setup.data());
   view.tool_path = path_of(json.at("tool_path"));
+  if (json.contains("orientation")) view.orientation = rule_of(json.at("orientation"));
   if (json.contains("cut")) view.cut = cut_of(json.at("cut"));
   view.findings = findings_of(json.at("findings"));
   view.report_json = json.at("report");
@@ -242,6 +263,7 @@ Result<void> save_view(const RunView& view, const std::filesystem::path& folder)
             {"program_name", view.program_name},
             {"program_text", view.program_text},
             {"map", map_json(view)}};
+  if (view.orientation) json["orientation"] = rule_json(*view.orientation);
   if (view.cut) json["cut"] = cut_json(*view.cut);
   if (view.profile)
     json["profile"] = {{"name", view.profile->name},

@@ -53,6 +53,8 @@ geometry::Result<ItemPage> machined_mouse(Workshop& shop, const std::string& nam
 // [Sun2016]: orientation
 geometry::Result<ItemPage> orientations_beside_obstacle(Workshop& shop, const std::string& name);
 geometry::Result<ItemPage> rotary_axes_compared(Workshop& shop, const std::string& name);
+// past both
+geometry::Result<ItemPage> allowed_orientations(Workshop& shop, const std::string& name);
 // [Huang2016]
 geometry::Result<ItemPage> open_bases(Workshop& shop, const std::string& name);
 geometry::Result<ItemPage> half_open_bases(Workshop& shop, const std::string& name);

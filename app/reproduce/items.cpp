@@ -21,6 +21,7 @@ const std::vector<Item>& reproduction_items() {
       {"figure-18", "[Sun2016] Fig. 18", "The mouse, machined", machined_mouse},
       {"figure-19", "[Sun2016] Fig. 19", "Tool orientations beside an obstacle", orientations_beside_obstacle},
       {"figure-20", "[Sun2016] Fig. 20", "What A and C do", rotary_axes_compared},
+      {"allowed-orientations", "Beside [Sun2016] Fig. 19", "What is allowed beside the obstacle", allowed_orientations},
       {"huang-figure-3", "[Huang2016] Fig. 3", "Basis functions for open surfaces", open_bases},
       {"huang-figure-6", "[Huang2016] Fig. 6", "Basis functions for half-open surfaces", half_open_bases},
       {"huang-figure-7", "[Huang2016] Fig. 7", "Case 1: part and key axes", strip_keys},

@@ -19,6 +19,8 @@ using geometry::short_text;
 using planner::Smoothing;
 
 constexpr const char* orientation_job = "figure-19";
+// Between the CC points of the paper, as its two peaks tell: velocity times feed over acceleration.
+constexpr double paper_step_mm = 1.48 * (500.0 / 60.0) / 7.95;
 constexpr double strokes = 700.0, stroke_share = 0.16;
 
 struct ShownMethod {
@@ -89,6 +91,53 @@ std::vector<std::string> peaks_row(const std::string& name, const planner::Orien
           short_text(report.solve_s, 2)};
 }
 
+/// The curve at points `step_mm` apart along the path.
+view::RotaryCurve resampled(const view::RotaryCurve& curve, double step_mm) {
+  view::RotaryCurve coarse{curve.name, {}, {}};
+  std::size_t k = 0;
+  for (double s = 0.0; s <= curve.length_mm.back(); s += step_mm) {
+    while (k + 2 < curve.length_mm.size() && curve.length_mm[k + 1] < s) ++k;
+    const double step = curve.length_mm[k + 1] - curve.length_mm[k];
+    const double t = step > 0.0 ? (s - curve.length_mm[k]) / step : 0.0;
+    coarse.length_mm.push_back(s);
+    coarse.rotaries_rad.push_back({});
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      coarse.rotaries_rad.back()[axis] = (1.0 - t) * curve.rotaries_rad[k][axis] + t * curve.rotaries_rad[k + 1][axis];
+  }
+  return coarse;
+}
+
+std::vector<std::string> row_of(const std::string& name, const std::array<view::RotaryPeak, 2>& peaks) {
+  return {name,
+          short_text(peaks[0].velocity_rad_s, 3),
+          short_text(peaks[0].acceleration_rad_s2, 3),
+          short_text(peaks[1].velocity_rad_s, 3),
+          short_text(peaks[1].acceleration_rad_s2, 3),
+          "-",
+          "-",
+          "-",
+          "-"};
+}
+
+/// The greatest slope of the straight lines from pin to pin, rad/s: no curve through the pins turns slower throughout.
+std::array<double, 2> least_velocities(const JobInputs& inputs, const view::RotaryCurve& pinned) {
+  std::array<double, 2> least{};
+  std::optional<std::size_t> before;
+  for (const planner::KeyOrientation& key : inputs.job.orientation.keys) {
+    if (!key.path_fraction) continue;
+    const double s = *key.path_fraction * pinned.length_mm.back();
+    const auto place = std::lower_bound(pinned.length_mm.begin(), pinned.length_mm.end(), s);
+    const auto at = static_cast<std::size_t>(std::min(place, pinned.length_mm.end() - 1) - pinned.length_mm.begin());
+    for (std::size_t axis = 0; before && axis < 2; ++axis) {
+      const double turned = pinned.rotaries_rad[at][axis] - pinned.rotaries_rad[*before][axis];
+      least[axis] = std::max(least[axis], std::abs(turned) / (pinned.length_mm[at] - pinned.length_mm[*before]) *
+                                              inputs.job.process.feed_mm_s);
+    }
+    before = at;
+  }
+  return least;
+}
+
 const std::vector<std::string> orientation_assumed{
     "Part, obstacle, holder and machine: `examples/figure-19.toml` (the paper shows its own without sizes). Feed "
     "500 mm/min as in "
@@ -149,16 +198,38 @@ Result<ItemPage> rotary_axes_compared(Workshop& shop, const std::string& name) {
     table.push_back(peaks_row("**" + std::string(method.short_name) + ", ours**", report));
     text.axis_names = {std::string(1, report.first_letter), std::string(1, report.second_letter)};
   }
-  const auto file = shop.keep(name, view::rotary_comparison_plot(curves, inputs->job.process.feed_mm_s, text));
+  const double feed_mm_s = inputs->job.process.feed_mm_s;
+  const std::array<double, 2> least = least_velocities(*inputs, curves[2]);
+  table.push_back({"least that a curve through the pins can have", short_text(least[0], 3), "-",
+                   short_text(least[1], 3), "-", "-", "-", "-", "-"});
+  table.push_back(row_of("TTOM, ours, at points " + short_text(paper_step_mm, 3) + " mm apart",
+                         view::rotary_peaks(resampled(curves[0], paper_step_mm), feed_mm_s)));
+  const auto file = shop.keep(name, view::rotary_comparison_plot(curves, feed_mm_s, text));
   if (!file) return tl::unexpected(file.error());
+  const double least_step_mm = view::least_spacing_mm(curves[0]);
+  curves.erase(curves.begin());
+  text.title += ", smoothed";
+  const auto smoothed = shop.keep(name + "-smoothed", view::rotary_comparison_plot(curves, feed_mm_s, text));
+  if (!smoothed) return tl::unexpected(smoothed.error());
   return ItemPage{
       "Position, angular velocity and angular acceleration of both rotary axes over the path. The paper prints peaks "
       "for "
       "A of the traditional orientations only; its curves have no table.",
-      {*file},
+      {*file, *smoothed},
       {table},
       orientation_assumed,
-      {"Seconds are of the computer that wrote this page; the other numbers do not depend on it.",
+      {"The paper's peaks of TTOM, 1.48 rad/s and 7.95 rad/s², belong to one jump between CC points 1.48 · 8.33 / 7.95 "
+       "= " +
+           short_text(paper_step_mm, 3) +
+           " mm apart. An axis that jumps has no acceleration of its own: the quotient of eq. 32 grows as one over the "
+           "spacing. Our points stand as near as " +
+           short_text(least_step_mm, 2) +
+           " mm where the boundary turns, hence the larger number; at the paper's spacing ours is in the last row.",
+       "Velocity falls from TTOM to VTOM, acceleration from TTOM to VTOM to ATOM to corridor. From VTOM to ATOM the "
+       "velocity of A cannot fall: VTOM runs straight from pin to pin, and by the mean value theorem every curve "
+       "through "
+       "the same pins is somewhere as fast. The row before the last is that bound.",
+       "Seconds are of the computer that wrote this page; the other numbers do not depend on it.",
        "The weights that minimise eqs. 27 and 33 as printed depend on how the CC points are spaced. Weighted by arc "
        "length, as "
        "here, the velocity model is linear interpolation between the pins and the acceleration model tends to the "

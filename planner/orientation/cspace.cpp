@@ -16,9 +16,11 @@ namespace {
 constexpr double pi = std::numbers::pi;
 // First cells: small enough that none of them spans what cannot be told apart (a turn of the pole).
 constexpr double first_cell_rad = pi / 12.0;
+constexpr double blocked_cell_rad = pi / 90.0;
 constexpr double quick_raster_rad = pi / 36.0;
-// Clearance is asked a little beyond what is needed: the answer is rounded down.
-constexpr double beyond_mm = 1e-6;
+// Below this tilt the ball that holds a flat bottom is too large to be told from its tangent plane.
+constexpr double least_tilt_rad = 1e-3;
+constexpr double margin_step_rad = pi / 18000.0;
 
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
@@ -37,20 +39,59 @@ class ChartShape {
   [[nodiscard]] virtual Vec3 axis_P(const Pair& at) const = 0;
   /// Least and greatest tilt from the normal in the box (or beyond).
   [[nodiscard]] virtual Pair tilts(const Box& box) const = 0;
-  /// No point of the assembly in the box is farther than this from where it is in the middle, mm.
-  [[nodiscard]] virtual double moved_mm(const Box& box) const = 0;
+  /// How far the assembly turns about the contact from the middle of the box to any other place of it.
+  [[nodiscard]] virtual TurnBound turn(const Box& box) const = 0;
   [[nodiscard]] virtual bool in_travel(const Pair& at) const = 0;
   [[nodiscard]] virtual std::optional<RotaryPair> rotaries(const Pair& at) const = 0;
 };
 
-/// What both charts ask of the cutter: where the contact holds it.
+/// What both charts ask of the cutter: where the contact holds it. Every change of orientation at a contact turns the
+/// tool about the middle of the tube (of corner or ball) there; its spin about its own axis does not count.
 struct Pivot {
-  double reach_mm;   ///< farthest point of the assembly from the contact's tube centre or the middle of the flat
-  double circle_mm;  ///< radius of the flat bottom, 0 for balls
+  Vec3 contact_P_mm, normal_P;
+  double tube_mm, circle_mm;  ///< radii of the tube and of the circle of its middle: the flat bottom, 0 for balls
 };
 
-/// Yaw across, tilt up. Tilting turns the tool about the middle of the corner's (or ball's) tube at the contact; a
-/// change of yaw carries the middle of the flat bottom round and turns the axis by no more than sin(tilt) of it.
+Pivot pivot_of(const AllowedSet& allowed, int i) {
+  const kinematics::Cutter& cutter = allowed.tool().cutter;
+  const Station& station = allowed.stations()[static_cast<std::size_t>(i)];
+  const bool is_bull = cutter.shape == kinematics::CutterShape::bull;
+  const bool is_flat = cutter.shape == kinematics::CutterShape::flat;
+  const double tube_mm = is_flat ? 0.0 : is_bull ? cutter.corner_radius_mm : cutter.radius_mm;
+  return {station.contact_P_mm, station.normal_P, tube_mm, is_flat || is_bull ? cutter.radius_mm - tube_mm : 0.0};
+}
+
+struct Turning {
+  double axis_rad;           ///< turn of the axis
+  double tilt_rad, yaw_rad;  ///< changes of tilt and yaw
+  Pair tilts;                ///< tilt stays between these
+};
+
+/// The middle of the flat bottom is carried round the normal by the yaw. At a tilt t the disc of radius c that the tube
+/// runs round lies in the ball of radius c / sin t that touches the plane through the pivot there; so does what stands
+/// on the disc up to 2 c cot t; the cutter reaches a tube's radius farther.
+TurnBound turn_bound(const Pivot& pivot, const Turning& turning) {
+  const double round_rad = turning.tilt_rad + turning.yaw_rad;
+  TurnBound bound;
+  bound.pivot_mm = pivot.contact_P_mm + pivot.tube_mm * pivot.normal_P;
+  bound.slope_mm_per_mm = round_rad;
+  // What stands r from the pivot stands no farther than r + circle from the middle of the bottom.
+  bound.offset_mm = pivot.circle_mm * (round_rad + turning.axis_rad);
+  bound.far_slope_mm_per_mm = turning.axis_rad;
+  if (pivot.circle_mm <= 0.0 || turning.tilts[0] < least_tilt_rad || turning.tilts[1] >= 0.5 * pi) return bound;
+  bound.ball_radius_mm = pivot.circle_mm / std::sin(turning.tilts[0]) + pivot.tube_mm;
+  bound.ball_centre_mm = pivot.contact_P_mm + bound.ball_radius_mm * pivot.normal_P;
+  bound.within_mm = std::max(2.0 * pivot.circle_mm / std::tan(turning.tilts[1]) - pivot.tube_mm, 0.0);
+  return bound;
+}
+
+/// The axis turns by `turn_rad`, whichever way.
+TurnBound any_turn(const Pivot& pivot, double turn_rad, const Pair& tilts) {
+  const double yaw_rad = tilts[0] > 0.0 ? std::min(pi, turn_rad / std::sin(std::min(tilts[0], 0.5 * pi))) : pi;
+  return turn_bound(pivot, {turn_rad, turn_rad, yaw_rad, tilts});
+}
+
+/// Yaw across, tilt up. A change of yaw turns the axis by no more than sin(tilt) of it.
 class LeanShape final : public ChartShape {
  public:
   LeanShape(const AllowedSet& allowed, int i, const Pivot& pivot)
@@ -62,10 +103,10 @@ class LeanShape final : public ChartShape {
     return tool_axis(frame_, Angle::radians(at[1]), Angle::radians(at[0]));
   }
   [[nodiscard]] Pair tilts(const Box& box) const override { return {box.least[1], box.greatest[1]}; }
-  [[nodiscard]] double moved_mm(const Box& box) const override {
+  [[nodiscard]] TurnBound turn(const Box& box) const override {
     const Pair half = box.half();
     const double steepest = std::sin(std::min(box.greatest[1], 0.5 * pi));
-    return half[1] * pivot_.reach_mm + half[0] * (pivot_.circle_mm + steepest * pivot_.reach_mm);
+    return turn_bound(pivot_, {half[1] + steepest * half[0], half[1], half[0], tilts(box)});
   }
   [[nodiscard]] bool in_travel(const Pair& at) const override { return allowed_.chart().reaches(axis_P(at)); }
   [[nodiscard]] std::optional<RotaryPair> rotaries(const Pair&) const override { return std::nullopt; }
@@ -87,11 +128,7 @@ class RotaryShape final : public ChartShape {
     const double tilt = angle_between(axis_P(box.middle()), normal_P_), turn = turn_rad(box);
     return {tilt - turn, tilt + turn};
   }
-  [[nodiscard]] double moved_mm(const Box& box) const override {
-    const double turn = turn_rad(box), flattest = tilts(box)[0];
-    const double round = flattest > 0.0 ? std::min(2.0, turn / std::sin(std::min(flattest, 0.5 * pi))) : 2.0;
-    return turn * pivot_.reach_mm + pivot_.circle_mm * round;
-  }
+  [[nodiscard]] TurnBound turn(const Box& box) const override { return any_turn(pivot_, turn_rad(box), tilts(box)); }
   [[nodiscard]] bool in_travel(const Pair& at) const override { return allowed_.chart().in_travel({at[1], at[0]}); }
   [[nodiscard]] std::optional<RotaryPair> rotaries(const Pair& at) const override { return RotaryPair{at[1], at[0]}; }
 
@@ -145,9 +182,11 @@ class ChartBuilder {
 
   void add(const Box& box) {
     OrientationCell cell{box.least, box.greatest};
-    const bool decided = judge(box, cell);
     const Pair half = box.half();
-    if (decided || 2.0 * std::max(half[0], half[1]) < 2.0 * resolution_rad_) {
+    // What blocks is told of the middle, so blocked cells stay small enough to show where it changes.
+    const bool decided = judge(box, cell) && (cell.state != OrientationState::blocked ||
+                                              2.0 * std::max(half[0], half[1]) <= blocked_cell_rad);
+    if (decided || 2.0 * std::max(half[0], half[1]) <= resolution_rad_) {
       cells_.push_back(cell);
       return;
     }
@@ -181,15 +220,16 @@ class ChartBuilder {
   bool judge_interference(const Box& box, const Vec3& axis, OrientationCell& cell) {
     const kinematics::ToolPose pose = allowed_.pose(i_, axis);
     const Interference& checks = allowed_.interference();
-    const double moved = shape_.moved_mm(box), clear = checks.clearance_mm(pose, moved + beyond_mm);
-    auto hit = clear > 0.0 ? std::nullopt : checks.first_hit_but_tip(pose);
+    const TurnBound turn = shape_.turn(box);
+    const bool clear = checks.stays_free(pose, turn);
+    auto hit = clear ? std::nullopt : checks.first_hit_but_tip(pose);
     const bool by_assembly = hit.has_value();
     if (!hit) {
       if (const auto rotaries = shape_.rotaries(box.middle())) hit = checks.first_link_hit(pose, *rotaries);
     }
     cell.centre_free = !hit;
     if (hit) cell.blocker = blocker(hit->tool_part + " against " + hit->scene_part);
-    const bool proved = hit ? !by_assembly || checks.depth_mm(pose) >= moved : clear >= moved;
+    const bool proved = hit ? !by_assembly || checks.stays_blocked(pose, turn) : clear;
     cell.state = !proved ? OrientationState::unsure : (hit ? OrientationState::blocked : OrientationState::free);
     return proved && (by_assembly || !hit);
   }
@@ -250,11 +290,7 @@ OrientationMap orientation_map(const AllowedSet& allowed, int i, const CspaceOpt
   map.contact_P_mm = station.contact_P_mm;
   map.normal_P = station.normal_P;
   map.resolution_rad = options.resolution.radians();
-  const kinematics::Cutter& cutter = allowed.tool().cutter;
-  const bool flat = cutter.shape == kinematics::CutterShape::flat || cutter.shape == kinematics::CutterShape::bull;
-  // From the tube's middle or the flat's middle to the tip is no farther than the cutter is wide.
-  const Pivot pivot{allowed.interference().reach_mm() + 2.0 * cutter.radius_mm,
-                    flat ? cutter.radius_mm - cutter.corner_radius_mm : 0.0};
+  const Pivot pivot = pivot_of(allowed, i);
   const auto [least_tilt, most_tilt] = allowed.tilt_limits();
   const LeanShape lean(allowed, i, pivot);
   map.lean.names = {"yaw", "tilt"};
@@ -268,6 +304,19 @@ OrientationMap orientation_map(const AllowedSet& allowed, int i, const CspaceOpt
       ChartBuilder(allowed, i, rotary, map.resolution_rad, map).cells({second[0], first[0]}, {second[1], first[1]}, {});
   map.free_share = free_share_of(map.lean);
   return map;
+}
+
+double free_turn_rad(const AllowedSet& allowed, int i, const Vec3& axis_P) {
+  const kinematics::ToolPose pose = allowed.pose(i, axis_P);
+  const double tilt = angle_between(axis_P, allowed.stations()[static_cast<std::size_t>(i)].normal_P);
+  const Pivot pivot = pivot_of(allowed, i);
+  double free = 0.0, blocked = 0.5 * pi;
+  while (blocked - free > margin_step_rad) {
+    const double turn = 0.5 * (free + blocked);
+    (allowed.interference().stays_free(pose, any_turn(pivot, turn, {tilt - turn, tilt + turn})) ? free : blocked) =
+        turn;
+  }
+  return free;
 }
 
 double allowed_share(const AllowedSet& allowed, int i) {

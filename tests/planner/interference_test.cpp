@@ -96,6 +96,71 @@ TEST(Interference, ClearanceBoundsMotion) {
   EXPECT_GT(tried, 30);
 }
 
+kinematics::Tool end_mill(kinematics::CutterShape shape, double radius_mm, double corner_mm) {
+  kinematics::Tool tool = testing::ball_tool();
+  tool.cutter = {shape, radius_mm, corner_mm, {}, 20.0, 2};
+  return tool;
+}
+
+/// A valley that the cutters stand in, with a post beside it.
+Scene valley_scene() {
+  Scene scene;
+  scene.part = testing::sheet(-30, 30, -30, 30, 1.5, [](double x, double y) { return 0.008 * x * x + 0.004 * x * y; });
+  scene.obstacles = {testing::box(Vec3(10, -5, 0), Vec3(20, 5, 60))};
+  return scene;
+}
+
+struct Turns {
+  int free = 0, blocked = 0;
+};
+
+/// Random axes at the bottom of the valley and random turns about the contact; what is told free or blocked for all
+/// turns up to a bound has to be so at every one of them.
+Turns try_turns(const kinematics::Tool& tool, double tube_mm) {
+  const Interference check(valley_scene(), tool, nullptr, nullptr);
+  const unsigned seed = 77;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  Turns found;
+  for (int n = 0; n < 1500; ++n) {
+    const double tilt = 0.7 + 0.6 * any(random), yaw = 3.14 * any(random), most = 0.02 * (1.0 + any(random));
+    const auto axis = [](double t, double y) {
+      return Vec3(std::sin(t) * std::cos(y), std::sin(t) * std::sin(y), std::cos(t));
+    };
+    const auto pose = [&](double t, double y) {
+      return contact_pose(tool.cutter, Vec3::Zero(), Vec3::UnitZ(), axis(t, y));
+    };
+    TurnBound turn{Vec3(0, 0, tube_mm), 2.0 * most, 1e9, 0.0, Vec3::Zero(), 0.0, 0.0};
+    if (const double circle_mm = tool.cutter.radius_mm - tube_mm; circle_mm > 0.0) {
+      turn.ball_radius_mm = circle_mm / std::sin(tilt - most) + tube_mm;
+      turn.ball_centre_mm = turn.ball_radius_mm * Vec3::UnitZ();
+      turn.within_mm = 2.0 * circle_mm / std::tan(tilt + most) - tube_mm;
+    }
+    const bool free = check.stays_free(pose(tilt, yaw), turn), blocked = check.stays_blocked(pose(tilt, yaw), turn);
+    found.free += free ? 1 : 0;
+    found.blocked += blocked ? 1 : 0;
+    for (int k = 0; k < 8 && (free || blocked); ++k) {
+      const ToolPose turned = pose(tilt + most * any(random), yaw + most * any(random));
+      EXPECT_EQ(check.is_free_but_tip(turned), free) << "seed " << seed << " case " << n;
+    }
+  }
+  return found;
+}
+
+TEST(Interference, StaysFreeHoldsForEveryTurn) {
+  using kinematics::CutterShape;
+  EXPECT_GT(try_turns(end_mill(CutterShape::ball, 3.0, 3.0), 3.0).free, 300);
+  EXPECT_GT(try_turns(end_mill(CutterShape::flat, 4.0, 0.0), 0.0).free, 300);
+  EXPECT_GT(try_turns(end_mill(CutterShape::bull, 5.0, 1.0), 1.0).free, 300);
+}
+
+TEST(Interference, StaysBlockedHoldsForEveryTurn) {
+  using kinematics::CutterShape;
+  EXPECT_GT(try_turns(end_mill(CutterShape::ball, 3.0, 3.0), 3.0).blocked, 100);
+  EXPECT_GT(try_turns(end_mill(CutterShape::flat, 4.0, 0.0), 0.0).blocked, 100);
+  EXPECT_GT(try_turns(end_mill(CutterShape::bull, 5.0, 1.0), 1.0).blocked, 100);
+}
+
 /// Plain FCL: every shape against the whole mesh, through a bounding volume whose fit to a Convex is sound.
 bool plain_fcl_is_free(const Scene& scene, const kinematics::Tool& tool, const ToolPose& pose) {
   const auto model_of = [](const geometry::TriangleMesh& mesh) {

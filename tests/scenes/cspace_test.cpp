@@ -89,9 +89,8 @@ void try_cells(const Question& question, const OrientationMap& map, OrientationS
   }
 }
 
-// Flat and bull cutters touch where they cut, so nothing about them can be proved free by distance: balls only.
-TEST(CspaceBall, FreeCellsAreFreeThroughout) {
-  const auto question = beside_a_wall({CutterShape::ball, 3.0, 3.0, {}, 20.0, 2});
+TEST_P(CspaceMap, FreeCellsAreFreeThroughout) {
+  const auto question = beside_a_wall(GetParam());
   const OrientationMap map = planner::orientation_map(*question->allowed, 0, {Angle::degrees(1.0)});
   try_cells(*question, map, OrientationState::free, true);
 }

@@ -38,6 +38,8 @@ RunView example_view() {
   sample.limiting_axis = 4;
   sample.cutting = true;
   view.trace = {{sample}, {{{1, 2, 3}, {0, 0, 1}}}};
+  using geometry::Angle;
+  view.orientation = {Angle::degrees(10), Angle(), Angle::degrees(1), Angle::degrees(60), 1.5, 0.01, 1, {{0.25, -3.5}}};
   view.findings = {{"gouge", 12, 0.5, "cutter - part", 0.02, 0.01, "text"}};
   view.report_json = "{\"run\": 1}";
   view.program_name = "plate.nc";
@@ -67,6 +69,11 @@ TEST(ViewFiles, WhatIsSavedComesBack) {
   EXPECT_EQ(back->trace.samples.at(0).line, 77);
   EXPECT_EQ(back->trace.samples.at(0).limit, sim::Limit::corner);
   EXPECT_EQ(back->trace.samples.at(0).limiting_axis, 4);
+  ASSERT_TRUE(back->orientation);
+  EXPECT_EQ(back->orientation->tilt_max.radians(), view.orientation->tilt_max.radians());
+  EXPECT_EQ(back->orientation->clearance_mm, 1.5);
+  EXPECT_EQ(back->orientation->fixtures, 1u);
+  EXPECT_EQ(back->orientation->rotaries_rad, view.orientation->rotaries_rad);
   EXPECT_EQ(back->findings.at(0).text, "text");
   EXPECT_EQ(back->cut->vertex_deviation_mm, view.cut->vertex_deviation_mm);
   EXPECT_EQ(back->map_guide_lines.at(0).at(1), view.map_guide_lines[0][1]);

@@ -1,0 +1,72 @@
+// Free or blocked for every turn about a pivot within bounds: what the cells of a C-space map are proved by.
+//
+// When the tool turns about the point where it cuts, what is near that point hardly moves. A bound by distance from the
+// pivot therefore proves what no single clearance can: a flat end stands 0 from the part where it cuts.
+#include "planner/interference_trees.hpp"
+
+namespace volute::planner {
+
+using kinematics::ToolPose;
+
+namespace {
+
+/// Disc of a bull cutter's corner.
+AxialCone disc_of(const PlacedShape& shape, const ToolPose& pose) {
+  return {pose.tip_P_mm, pose.axis_P, shape.disc_z_mm, shape.disc_z_mm, shape.disc_radius_mm, shape.disc_radius_mm};
+}
+
+Vec3 ball_centre_mm(const PlacedShape& shape, const ToolPose& pose) {
+  return pose.tip_P_mm + shape.centre_z_mm * pose.axis_P;
+}
+
+bool shape_stays_clear(const PlacedShape& shape, const ToolPose& pose, const SphereTree& tree, const TurnBound& turn) {
+  if (shape.is_ball) {
+    const Vec3 centre = ball_centre_mm(shape, pose);
+    const double needed = shape.radius_mm() + turn.moved_mm((centre - turn.pivot_mm).norm()) + distance_rounding_mm;
+    return tree.point_distance_mm(centre, needed) >= needed;
+  }
+  return shape.has_disc ? tree.is_clear_of_turn(disc_of(shape, pose), shape.outer_arc_mm, turn)
+                        : tree.is_clear_of_turn(cone_round(shape, pose), 0.0, turn);
+}
+
+bool shape_stays_met(const PlacedShape& shape, const ToolPose& pose, const SphereTree& tree, const TurnBound& turn) {
+  if (shape.is_ball) {
+    const Vec3 centre = ball_centre_mm(shape, pose);
+    const double within = shape.radius_mm() - turn.moved_mm((centre - turn.pivot_mm).norm()) - distance_rounding_mm;
+    return within > 0.0 && tree.point_distance_mm(centre, within) < within;
+  }
+  if (shape.has_disc) return tree.is_inside_for_turn(disc_of(shape, pose), shape.inner_arc_mm, turn);
+  AxialCone inner = cone_round(shape, pose);
+  inner.bottom_radius_mm *= shape.inner_share;
+  inner.top_radius_mm *= shape.inner_share;
+  return shape.inner_share > 0.0 && tree.is_inside_for_turn(inner, 0.0, turn);
+}
+
+}  // namespace
+
+bool Interference::stays_free(const ToolPose& pose, const TurnBound& given) const {
+  // The ball is of the true cutter; as it may stand in the part it is shrunk by the gouge tolerance.
+  TurnBound cutter_at_part = given, turn = given;
+  cutter_at_part.ball_radius_mm -= trees_->gouge_tolerance_mm;
+  turn.within_mm = 0.0;
+  for (std::size_t p = 0; p < trees_->assembly_pairs; ++p) {
+    const WatchedPair& pair = trees_->pairs[p];
+    const SceneBody& body = trees_->bodies[pair.b];
+    const AssemblyPiece& piece = trees_->pieces[pair.a];
+    const TurnBound& within = body.is_part && piece.part == "cutter" ? cutter_at_part : turn;
+    if (!pair.is_tip_at_part && !shape_stays_clear(piece.shape_for(body), pose, body.tree, within)) return false;
+  }
+  return trees_->swallowing(pose) == nullptr;
+}
+
+bool Interference::stays_blocked(const ToolPose& pose, const TurnBound& turn) const {
+  for (std::size_t p = 0; p < trees_->assembly_pairs; ++p) {
+    const WatchedPair& pair = trees_->pairs[p];
+    const SceneBody& body = trees_->bodies[pair.b];
+    if (!pair.is_tip_at_part && shape_stays_met(trees_->pieces[pair.a].shape_for(body), pose, body.tree, turn))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace volute::planner
