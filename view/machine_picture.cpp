@@ -119,7 +119,9 @@ Result<Image> machine_picture(const RunView& view, double time_s, bool close, co
   if (close) camera.half_depth = standard_camera(grown_box(links, box), style, RightSide::empty).half_depth * 2.0;
   const std::string when = "at " + geometry::fixed_text(view.trace.samples[at].time_s, 2) + " s, line " +
                            std::to_string(view.trace.samples[at].line);
-  return finished_picture(scene, camera, {view.title, {"machine, tool with holder and part " + when}}, style);
+  return finished_picture(
+      scene, camera,
+      {view.title, {(close ? "tool, holder and part from near " : "machine with tool and part ") + when}}, style);
 }
 
 }  // namespace volute::view

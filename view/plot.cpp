@@ -16,6 +16,8 @@ using geometry::Vec2;
 
 constexpr double plot_width = 1200, panel_height = 240, left = 110, right = 30, title_room = 64, bottom_room = 58,
                  gap = 18;
+// The strip on top of each panel in which its keys stand: no curve comes there.
+constexpr double legend_height = 28;
 /// Curves that leave the panel are drawn this far beyond it, under the clip.
 constexpr double clip_reach = 2000.0;
 /// A limit farther away than this many times the curve's own range is left out of the panel's range.
@@ -61,7 +63,8 @@ Range y_range(const PlotPanel& panel) {
   for (const double limit : panel.limits)
     if (std::abs(limit) <= reach) grow(range, limit);
   const double margin = std::max(0.06 * (range.greatest - range.least), 1e-6 + 1e-3 * std::abs(range.greatest));
-  return {range.least - margin, range.greatest + margin};
+  const double legend_share = legend_height / (panel_height - legend_height);
+  return {range.least - margin, range.greatest + margin + legend_share * (range.greatest - range.least + margin)};
 }
 
 /// Per pixel column the first, least, greatest and last point: what the eye would see of them all.

@@ -19,7 +19,7 @@ export async function open(browser, file, { width = 1500, height = 1000 } = {}) 
   page.on('request', (request) => { if (!/^(file|data|blob):/.test(request.url())) complaints.push(`request: ${request.url()}`); });
   const start = performance.now();
   await page.goto(pathToFileURL(file).href, { waitUntil: 'commit' });
-  await page.waitForFunction(() => ['picture', 'all'].includes(document.documentElement.dataset.ready), null, { timeout: 60000 });
+  await page.waitForFunction(() => ['picture', 'scene', 'all'].includes(document.documentElement.dataset.ready), null, { timeout: 60000 });
   const pictureMs = performance.now() - start;
   await page.waitForFunction(() => document.documentElement.dataset.ready === 'all', null, { timeout: 60000 });
   return { page, complaints, pictureMs, allMs: performance.now() - start };

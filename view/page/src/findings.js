@@ -35,6 +35,20 @@ export function findingsSection({ findings }, show) {
   return section;
 }
 
+/** What does not reject the program, but should be known. */
+export function warningsSection({ report }, show) {
+  const warnings = report.warnings ?? [];
+  if (!warnings.length) return null;
+  const section = element('section', { id: 'warnings' }, element('h2', {}, 'Warnings'),
+    element('p.note', {}, 'These do not reject the program. Click a row to see the moment.'),
+    momentTable('warnings-table', ['line', 'time', 'kind', 'what'], warnings.slice(0, rowsMax).map((warning) => ({
+      cells: [warning.block > 0 ? String(warning.block) : '–', warning.time_s > 0 ? timeText(warning.time_s) : '–', warning.kind, warning.text],
+      moment: { line: warning.block, time: warning.time_s },
+    })), show));
+  if (warnings.length > rowsMax) section.append(element('p.note', {}, `The first ${rowsMax} of ${warnings.length}; all stand in report.json.`));
+  return section;
+}
+
 /** For each axis and quantity the sample that comes closest to the limit while cutting (or at all, when nothing cuts). */
 export function hardestMoments(run, axes) {
   const rows = [], motion = run.trace.integers('motion');

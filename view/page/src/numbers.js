@@ -30,6 +30,13 @@ export function cards({ report }) {
     list.append(card('Uncut material', machining.uncut ? `${short(machining.uncut_area_mm2)}` : 'none', machining.uncut ? 'mm²' : '',
       'area left higher than the allowed ridge', machining.uncut ? '.bad' : ''));
   }
+  if (report.stock) {
+    const { stock } = report;
+    list.append(card('Material removed', short(stock.removed_mm3 / 1000), 'cm³',
+      `of a blank of ${short(stock.first_mm3 / 1000)} cm³${stock.assumed ? ', assumed: the job names none' : ''}`));
+    if (stock.removal_rate_max_mm3_s !== undefined)
+      list.append(card('Fastest removal', short(stock.removal_rate_max_mm3_s * 0.06), 'cm³/min', `at line ${stock.removal_rate_at_block}`));
+  }
   if (collision) {
     const hits = collision.sim_hits > 0;
     list.append(card('Collisions', String(collision.sim_hits), '', `${short(collision.pairs_checked)} pairs of bodies checked`, hits ? '.bad' : ''));
@@ -74,6 +81,21 @@ export function whereTimeGoes({ report }) {
   const limiting = Object.entries(report.run.limiting ?? {}).filter(([, seconds]) => seconds > 0).map(([axis, seconds]) => [`held up by axis ${axis}`, seconds]);
   return element('section', {}, element('h2', {}, 'Where the time goes'), bars(rows, whole, '#0072b2'),
     limiting.length ? element('p.note', {}, 'And which axis held the tool below its programmed feed:') : null, bars(limiting, whole, '#d55e00'));
+}
+
+/** Both rotary axes as they were planned, at the programmed feed, before the control. */
+export function rotaryPlan({ report }) {
+  const plan = report.orientation;
+  const letters = Object.keys(plan ?? {}).filter((key) => plan[key]?.velocity_max !== undefined);
+  if (!letters.length) return null;
+  const heads = ['axis', 'greatest speed, rad/s', 'greatest acceleration, rad/s²', 'greatest jerk, rad/s³'];
+  const smoothings = { none: 'not smoothed: the tool swings only where it must', velocity: 'smoothed for least angular velocity', acceleration: 'smoothed for least angular acceleration',
+    field: 'along an orientation field', corridor: 'smoothed within what is allowed' };
+  return element('section', {}, element('h2', {}, 'How the tool turns'),
+    element('p.note', {}, `Orientation as planned at the programmed feed, before the control: ${smoothings[plan.smoothing] ?? plan.smoothing}. `
+      + `${plan.interferences_before ?? 0} points of the path touched something before, ${plan.interferences_after ?? 0} after.`),
+    element('div.scroll', {}, element('table', { id: 'rotary-plan' }, element('tr', {}, ...heads.map((head) => element('th', {}, head))),
+      ...letters.map((letter) => element('tr', {}, ...[letter, plan[letter].velocity_max, plan[letter].acceleration_max, plan[letter].jerk_max].map((value) => element('td', {}, cell(value))))))));
 }
 
 /** Deviations of the machined surface as bars of an SVG. */

@@ -2,8 +2,8 @@
 import 'uplot/dist/uPlot.min.css';
 import './report.css';
 import { Columns, jsonPart, packedPart } from './data.js';
-import { findingsSection, hardestSection, slowestSection } from './findings.js';
-import { cards, deviations, everyNumber, introduction, tableOfPaper, whereTimeGoes } from './numbers.js';
+import { findingsSection, hardestSection, slowestSection, warningsSection } from './findings.js';
+import { cards, deviations, everyNumber, introduction, rotaryPlan, tableOfPaper, whereTimeGoes } from './numbers.js';
 import { AxisPlots } from './plots.js';
 import { ProgramText } from './program.js';
 import { Run } from './run.js';
@@ -26,7 +26,8 @@ function makeScene(frame, report, columns) {
 async function start() {
   const report = jsonPart('report');
   const page = document.getElementById('page');
-  const frame = workbenchFrame();
+  const still = document.getElementById('still');   // the part as the run drew it, in sight until the live view stands
+  const frame = workbenchFrame(still);
   const after = element('div');
   page.replaceChildren(...[introduction(report), cards(report), frame.node, after].filter(Boolean));
   const state = { run: null, plots: null };
@@ -37,14 +38,20 @@ async function start() {
     state.plots.reveal(state.run.time);
     frame.node.scrollIntoView({ block: 'start', behavior: 'smooth' });
   };
-  after.replaceChildren(...[findingsSection(report, show), tableOfPaper(report), whereTimeGoes(report), deviations(report), slowestSection(report, show), everyNumber(report)].filter(Boolean));
+  after.replaceChildren(...[findingsSection(report, show), warningsSection(report, show), tableOfPaper(report), whereTimeGoes(report), rotaryPlan(report), deviations(report), slowestSection(report, show), everyNumber(report)].filter(Boolean));
 
+  if (still) {
+    await still.decode().catch(() => {});   // a still that cannot be shown is no reason to show nothing
+    await nextFrame();
+    ready('picture');
+  }
   const columns = new Columns(await packedPart('scene'));
   const scene = makeScene(frame, report, columns);
   if (scene) viewTools(frame, scene, null);
   await nextFrame();
   scene?.finish();
-  ready('picture');
+  still?.remove();
+  ready('scene');
 
   const traceBytes = await packedPart('trace');
   if (traceBytes) await addRun(frame, report, scene, new Columns(traceBytes), state, after, show);

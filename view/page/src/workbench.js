@@ -6,13 +6,14 @@ import { clock, element, fixed, limitNames, short } from './words.js';
 const speeds = [0.1, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 const playedInSeconds = 30;
 
-export function workbenchFrame() {
+/** `still`: a picture that stands over the view until it is drawn, or null. */
+export function workbenchFrame(still) {
   const canvas = element('canvas', { id: 'view', 'aria-label': '3D view of part, path, tool and machine' });
   const frame = {
     canvas, legend: element('div.legend'), viewTools: element('div.toolbar.over'), stage: null,
     playback: element('div.playback'), readout: element('div.readout'), program: element('div.program-host'), plots: element('div.plots'),
   };
-  frame.stage = element('div.stage', {}, canvas, frame.viewTools, frame.legend);
+  frame.stage = element('div.stage', {}, canvas, still, frame.viewTools, frame.legend);
   frame.node = element('section.workbench', {}, element('div.left', {}, frame.stage, frame.playback, frame.readout, frame.program), frame.plots);
   return frame;
 }
