@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/reproduce/item.hpp"
+#include "geometry/check.hpp"
 #include "geometry/number_text.hpp"
 #include "view/orientation_plot.hpp"
 #include "view/pictures.hpp"
@@ -64,18 +65,18 @@ std::vector<std::size_t> pinned_points(const JobInputs& inputs, const kinematics
   return pins;
 }
 
+/// The points that have rotaries: on the surface, and the first of a piece, which an approach reaches.
 view::RotaryCurve curve_of(const std::string& name, const planner::PlanResult& plan) {
   view::RotaryCurve curve{name, {}, plan.rotaries_rad};
   geometry::Vec3 last = geometry::Vec3::Zero();
-  for (const kinematics::ToolPathPoint& point : plan.tool_path.points) {
-    if (!on_surface(point)) continue;
-    curve.length_mm.push_back(curve.length_mm.empty() ? 0.0
-                                                      : curve.length_mm.back() + (point.contact_P_mm - last).norm());
-    last = point.contact_P_mm;
+  const auto& points = plan.tool_path.points;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!on_surface(points[k]) && (k + 1 == points.size() || !on_surface(points[k + 1]))) continue;
+    curve.length_mm.push_back(
+        curve.length_mm.empty() ? 0.0 : curve.length_mm.back() + (points[k].contact_P_mm - last).norm());
+    last = points[k].contact_P_mm;
   }
-  const std::size_t count = std::min(curve.length_mm.size(), curve.rotaries_rad.size());
-  curve.length_mm.resize(count);
-  curve.rotaries_rad.resize(count);
+  VOLUTE_CHECK(curve.length_mm.size() == curve.rotaries_rad.size(), curve.length_mm.size(), curve.rotaries_rad.size());
   return curve;
 }
 
