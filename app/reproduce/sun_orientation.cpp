@@ -22,7 +22,7 @@ using planner::Smoothing;
 constexpr const char* orientation_job = "figure-19";
 // Between the CC points of the paper, as its two peaks tell: velocity times feed over acceleration.
 constexpr double paper_step_mm = 1.48 * (500.0 / 60.0) / 7.95;
-constexpr double strokes = 700.0, stroke_share = 0.16;
+constexpr double drawn_strokes = 700.0, drawn_stroke_share = 0.16;
 
 struct ShownMethod {
   Smoothing smoothing;
@@ -152,7 +152,7 @@ Result<ItemPage> orientations_beside_obstacle(Workshop& shop, const std::string&
   if (!inputs) return tl::unexpected(inputs.error());
   std::vector<view::FigurePanel> panels;
   const view::PictureStyle style = view::panel_style();
-  view::OrientationFocus focus{strokes, stroke_share};
+  view::OrientationFocus focus{drawn_strokes, drawn_stroke_share};
   focus.tilt_range_deg = geometry::Vec2(0.0, inputs->job.orientation.tilt_max.degrees());
   for (const ShownMethod& method : methods) {
     const auto plan = shop.plan(orientation_job, method.smoothing);
@@ -161,7 +161,8 @@ Result<ItemPage> orientations_beside_obstacle(Workshop& shop, const std::string&
     if (auto added = add_panel(panels, method.caption, view::orientation_picture(view, style, focus)); !added)
       return tl::unexpected(added.error());
     if (method.smoothing != Smoothing::none || inputs->job.orientation.keys.empty()) continue;
-    view::OrientationFocus pinned{strokes, 2.0 * stroke_share, pinned_points(*inputs, view.tool_path), true, true};
+    view::OrientationFocus pinned{drawn_strokes, 2.0 * drawn_stroke_share, pinned_points(*inputs, view.tool_path), true,
+                                  true};
     if (auto added = add_panel(panels, "(b) critical orientations, pinned in the job",
                                view::orientation_picture(view, style, pinned));
         !added)
