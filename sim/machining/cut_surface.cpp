@@ -18,12 +18,14 @@ constexpr std::size_t zoom_high_max = 128, zoom_deep_max = 512;
 constexpr std::size_t gouge_findings_max = 50;
 
 /// A tenth of the interval that leaves a scallop of the uncut limit on a plane, and close enough to feel half the gouge
-/// limit anywhere in the footprint of a gouge as deep as the limit.
+/// limit anywhere in the footprint of a gouge as deep as the limit. Four samples at least make up the area that may
+/// stay uncut: one that stands for more would decide alone.
 double spacing_mm(const kinematics::Cutter& cutter, const CutSurfaceOptions& options, double area_mm2) {
   double spacing = options.sample_spacing_mm;
   if (spacing <= 0.0) {
     const double r = cutter.radius_mm, h = std::min(options.uncut_limit_mm, r);
     spacing = std::min(0.1 * 2.0 * std::sqrt(2.0 * r * h - h * h), std::sqrt(r * options.gouge_limit_mm));
+    if (options.uncut_area_limit_mm2 > 0.0) spacing = std::min(spacing, std::sqrt(0.25 * options.uncut_area_limit_mm2));
   }
   return std::max(spacing, std::sqrt(area_mm2 / (0.4 * static_cast<double>(options.samples_max))));
 }

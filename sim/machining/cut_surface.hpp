@@ -21,8 +21,8 @@ struct SweptPose {
 
 struct CutSurfaceOptions {
   double sample_spacing_mm =
-      0.0;                      ///< 0: from the scallop (a tenth of the path interval), fine enough for the gouge limit
-  double uncut_limit_mm = 0.1;  ///< higher than this above the surface (allowance included) is uncut
+      0.0;  ///< 0: from the scallop (a tenth of the path interval), fine enough for the gouge and the uncut area limit
+  double uncut_limit_mm = 0.1;         ///< higher than this above the surface (allowance included) is uncut
   double gouge_limit_mm = 0.01;        ///< deeper than this is a gouge
   double search_height_mm = 0.0;       ///< 0: cutter radius
   double uncut_area_limit_mm2 = 0.05;  ///< the verdict is `uncut` when more than this stands above the uncut limit

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <numbers>
+
 #include "shapes.hpp"
 
 namespace volute::sim {
@@ -28,6 +30,25 @@ TEST(CutSurface, ScallopOnAPlaneIsTheExactCircles) {
       EXPECT_NEAR(report.area_mm2, 100.0, 1e-9);
       EXPECT_TRUE(report.findings.empty());
     }
+  }
+}
+
+// One ball over the middle of a square on coarse triangles: what stands over the limit are its four corners beyond a
+// circle.
+TEST(CutSurface, UncutCornersSmallerThanTheAreaLimitAreMeasured) {
+  const double r = 3.0, limit = 0.23, reach = std::sqrt(2.0 * r * limit - limit * limit);
+  for (const double corner : {1.01, 1.05, 1.10, 1.14, 1.2}) {  // over the reach
+    const double a = corner * reach / std::sqrt(2.0);
+    const auto surface = test::plane(2.0 * a, 2);
+    const double covered =
+        reach * reach * (std::numbers::pi - 4.0 * std::acos(a / reach)) + 4.0 * a * std::sqrt(reach * reach - a * a);
+    const auto report =
+        measure_cut_surface(surface, test::ball(r),
+                            {ball_at(Vec3(a, a, r), Vec3::UnitZ(), r, 1), ball_at(Vec3(a, a, r), Vec3::UnitZ(), r, 2)},
+                            {.uncut_limit_mm = limit});
+    const double exact = 4.0 * a * a - covered;
+    EXPECT_NEAR(report.uncut_area_mm2, exact, 0.0125 + 0.2 * exact) << corner;
+    EXPECT_EQ(report.uncut, report.uncut_area_mm2 > 0.05) << corner;
   }
 }
 
