@@ -180,7 +180,8 @@ TEST(EvenRounding, WhatIsNotSharpStaysBitByBit) {
   }
 }
 
-// Properties 1 and 2: the points added lie on the chords beside the bend, a tenth of an interval apart, and nowhere else.
+// Properties 1 and 2: the points added lie on the chords beside the bend, a tenth of an interval apart, and nowhere
+// else.
 TEST(EvenRounding, BendsAreFilledAlongTheirChords) {
   const double interval_mm = 2.0, step_mm = 0.7;
   CcPiece piece = bent(0.5, step_mm);

@@ -11,8 +11,8 @@
 namespace volute::planner {
 namespace {
 
-/// What a part may at most have: 9 corners over 60 degrees, 1.10 times the scallop by either measure, 0.15 % of the area
-/// above it.
+/// What a part may at most have: 9 corners over 60 degrees, 1.10 times the scallop by either measure, 0.15 % of the
+/// area above it.
 struct Bounds {
   double length_ratio;
   int sharp_corners_60 = 9;
