@@ -65,15 +65,16 @@ std::string point_name(const Orienting& work, int i) {
 }
 
 void note_lifts(Orienting& work) {
-  int lifted = 0;
+  int lifted = 0, between = 0;
   double most = 0.0;
   for (const Station& station : work.stations) {
-    if (station.lift_mm <= 0.0) continue;
-    ++lifted;
+    if (station.lift_mm <= 0.0 && !station.between) continue;
+    ++(station.between ? between : lifted);
     most = std::max(most, station.lift_mm);
   }
-  if (lifted == 0) return;
-  work.report.notes.push_back(std::to_string(lifted) + " CC points lifted by up to " + short_text(most, 3) +
+  if (lifted + between == 0) return;
+  work.report.notes.push_back(std::to_string(lifted) + " CC points lifted and " + std::to_string(between) +
+                              " put in between, by up to " + short_text(most, 3) +
                               " mm: the ball does not fit there without gouging");
 }
 

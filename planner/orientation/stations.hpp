@@ -19,14 +19,19 @@ struct Station {
   double turn = 0.0;
   double lift_mm = 0.0;
   bool link = false;
-  int source = 0;  ///< index in the piece
+  int source = 0;        ///< index in the piece
+  bool between = false;  ///< put in after `source`: the way to the next point would gouge
 };
 
 /// Points closer than a nanometre to the one before are left out. The feed is the chord over `window_mm` to both sides.
 std::vector<Station> make_stations(const CcPiece& piece, double window_mm);
 
-/// Lifts the contact along the normal where the ball of the cutter goes deeper than `tolerance_mm` into the part (an
-/// inner corner narrower than the cutter): no orientation could mend that. Nothing for flat and bull cutters.
+/// Keeps the ball of the cutter within `tolerance_mm` of the part (an inner corner narrower than the cutter, a chord
+/// over a crest): no orientation could mend that. Contacts where it goes deeper than nine tenths of that are lifted
+/// along the normal; where the way to the next one would go deeper than the whole, lifted stations are put in. Nothing
+/// for flat and bull cutters, whose depth depends on the axis. Property, with a test of that name:
+/// BallKeepsTheToleranceOnTheWholeWay: the centre of the ball, moved straight from station to station, comes nowhere
+/// nearer to the part than its radius less `tolerance_mm` (but for ways under 0.01 mm).
 void lift_out_of_part(std::vector<Station>& stations, const kinematics::Cutter& cutter,
                       const Interference& interference, double tolerance_mm);
 
