@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "geometry/file.hpp"
+#include "tests/post/example_paths.hpp"
 #include "tests/post/sample_paths.hpp"
 
 namespace volute::post {
@@ -79,16 +80,7 @@ std::vector<Move> planned_moves(const PostRequest& request, const kinematics::Pr
   return moves;
 }
 
-class Rs274 : public ::testing::TestWithParam<std::string> {};
-
-TEST_P(Rs274, AcceptsOurProgramAndMovesWhereWePlanned) {
-  if (std::system("command -v rs274 > /dev/null 2>&1") != 0)
-    GTEST_SKIP() << "rs274 is not installed (package linuxcnc-uspace): LinuxCNC's interpreter was not asked";
-  const kinematics::Profile profile = testing::profile_named(GetParam());
-  PostRequest request = testing::request_for(testing::dome_spiral(3, 60));
-  const bool small = profile.machine.name == "linuxcnc-xyzac";
-  if (small || profile.machine.name == "ab-head") request = testing::request_for(testing::ring(3.0, 60));
-  if (small) request.setup.part_in_machine.translation() = geometry::Vec3(0, 0, -110);
+void expect_accepted_and_moves_as_planned(const PostRequest& request, const kinematics::Profile& profile) {
   const auto result = post(request, profile);
   ASSERT_TRUE(result.has_value()) << result.error().message;
   const Interpreted run = run_rs274(result->text);
@@ -110,6 +102,32 @@ TEST_P(Rs274, AcceptsOurProgramAndMovesWhereWePlanned) {
   }
 }
 
+class Rs274 : public ::testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    if (std::system("command -v rs274 > /dev/null 2>&1") != 0)
+      GTEST_SKIP() << "rs274 is not installed (package linuxcnc-uspace): LinuxCNC's interpreter was not asked";
+  }
+};
+
+TEST_P(Rs274, AcceptsOurProgramAndMovesWhereWePlanned) {
+  const kinematics::Profile profile = testing::profile_named(GetParam());
+  PostRequest request = testing::request_for(testing::dome_spiral(3, 60));
+  const bool small = profile.machine.name == "linuxcnc-xyzac";
+  if (small || profile.machine.name == "ab-head") request = testing::request_for(testing::ring(3.0, 60));
+  if (small) request.setup.part_in_machine.translation() = geometry::Vec3(0, 0, -110);
+  expect_accepted_and_moves_as_planned(request, profile);
+}
+
+class Rs274OfExamples : public Rs274 {};
+
+TEST_P(Rs274OfExamples, AcceptsTheProgramAndMovesWhereWePlanned) {
+  for (const char* profile : {"ac-head-linuxcnc", "ac-head-linuxcnc-tcp"}) {
+    SCOPED_TRACE(profile);
+    expect_accepted_and_moves_as_planned(testing::example_request(GetParam()), testing::profile_named(profile));
+  }
+}
+
 std::vector<std::string> linuxcnc_profiles() {
   const auto folder = std::filesystem::path(VOLUTE_SOURCE_DIR) / "machines";
   std::vector<std::string> names;
@@ -120,11 +138,10 @@ std::vector<std::string> linuxcnc_profiles() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(LinuxcncProfiles, Rs274, ::testing::ValuesIn(linuxcnc_profiles()), [](const auto& instance) {
-  std::string name = instance.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(LinuxcncProfiles, Rs274, ::testing::ValuesIn(linuxcnc_profiles()),
+                         [](const auto& instance) { return testing::identifier(instance.param); });
+INSTANTIATE_TEST_SUITE_P(Examples, Rs274OfExamples, ::testing::ValuesIn(testing::example_names()),
+                         [](const auto& instance) { return testing::identifier(instance.param); });
 
 TEST(Rs274Alone, RefusesABrokenProgram) {
   // The check above can fail: with the F of an inverse-time block lost, the interpreter says so.
