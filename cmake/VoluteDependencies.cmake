@@ -25,9 +25,10 @@ endif()
 add_library(volute_flags INTERFACE)
 target_compile_features(volute_flags INTERFACE cxx_std_20)
 target_compile_options(volute_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
-# GCC 12 sees out-of-bounds copies in std::string's operator+ that are not there (GCC bugs 105329, 105651).
+# GCC 12 sees out-of-bounds copies in std::string's operator+ that are not there (GCC bugs 105329, 105651), and
+# frees inside a block where a vector of char is destroyed.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(volute_flags INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
+  target_compile_options(volute_flags INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-free-nonheap-object)
 endif()
 target_include_directories(volute_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_include_directories(volute_flags SYSTEM INTERFACE ${TL_EXPECTED_INCLUDE})

@@ -19,6 +19,9 @@ function(volute_module name)
   endif()
 endfunction()
 
+# Tests call optimised code; their own is compiled with less effort, which saves a quarter of their time.
+set(VOLUTE_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+
 # volute_test(NAME SOURCES ... DEPENDS ... LIBRARIES ...): one GoogleTest program, each test case known to CTest.
 # Tests find the repository through the definition VOLUTE_SOURCE_DIR.
 function(volute_test name)
@@ -29,6 +32,7 @@ function(volute_test name)
   foreach(module IN LISTS arg_DEPENDS)
     target_link_libraries(${target} PRIVATE volute_${module})
   endforeach()
+  target_compile_options(${target} PRIVATE ${VOLUTE_TEST_OPTIONS})
   target_compile_definitions(${target} PRIVATE VOLUTE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" VOLUTE_BINARY_DIR="${PROJECT_BINARY_DIR}")
   volute_precompile(${target} volute_precompiled_test)
   volute_unity(${target} 4)

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/edge_groups.hpp"
+#include "geometry/index.hpp"
 #include "geometry/mesh_measure.hpp"
 
 namespace volute::geometry {
@@ -13,8 +14,6 @@ namespace volute::geometry {
 namespace {
 
 std::string text(Index number) { return std::to_string(number); }
-std::size_t at(Index number) { return static_cast<std::size_t>(number); }
-
 Result<void> check_corners(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) return bad_input("mesh-empty", "the mesh has no triangle; a surface needs at least one");
   const auto vertices = static_cast<Index>(mesh.vertices_mm.size());

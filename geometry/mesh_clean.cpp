@@ -4,12 +4,11 @@
 #include <optional>
 
 #include "geometry/edge_groups.hpp"
+#include "geometry/index.hpp"
 
 namespace volute::geometry {
 
 namespace {
-
-std::size_t at(Index number) { return static_cast<std::size_t>(number); }
 
 bool has_equal_corners(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 

@@ -7,14 +7,14 @@
 
 #include "geometry/mesh_measure.hpp"
 
+#include "geometry/index.hpp"
+
 namespace volute::geometry {
 
 namespace {
 
 using Vec3List = std::vector<Vec3>;
 using Mat3List = std::vector<Mat3>;
-
-std::size_t at(Index number) { return static_cast<std::size_t>(number); }
 
 /// `tensor`, tangent to the plane of normal `from`, turned by the least rotation into the plane of `to`.
 /// Where the surface folds back on itself no rotation is least: the tensor is only projected.

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <cstring>
 
+#include "geometry/index.hpp"
 #include "geometry/number_text.hpp"
 
 namespace volute::geometry {
 
 namespace {
-
-std::size_t at(Index number) { return static_cast<std::size_t>(number); }
 
 /// Between writers' rounding, which stays far below, and a changed bit that matters.
 constexpr double least_misfit = 0.02;

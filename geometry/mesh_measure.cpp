@@ -1,12 +1,12 @@
 #include "geometry/mesh_measure.hpp"
 
+#include "geometry/index.hpp"
+
 #include <cmath>
 
 namespace volute::geometry {
 
 namespace {
-
-std::size_t at(Index number) { return static_cast<std::size_t>(number); }
 
 /// Twice the area along the normal.
 Vec3 area_vector(const TriangleMesh& mesh, const Triangle& corners) {

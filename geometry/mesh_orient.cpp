@@ -1,13 +1,12 @@
 #include <string>
 
 #include "geometry/edge_groups.hpp"
+#include "geometry/index.hpp"
 #include "geometry/mesh_io.hpp"
 
 namespace volute::geometry {
 
 namespace {
-
-std::size_t at(Index number) { return static_cast<std::size_t>(number); }
 
 enum class Side : char { unknown, kept, turned };
 

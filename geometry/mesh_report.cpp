@@ -6,13 +6,12 @@
 
 #include "geometry/angle.hpp"
 #include "geometry/edge_groups.hpp"
+#include "geometry/index.hpp"
 #include "geometry/mesh_measure.hpp"
 
 namespace volute::geometry {
 
 namespace {
-
-std::size_t at(Index number) { return static_cast<std::size_t>(number); }
 
 struct Verdict {
   std::string code, reason;

@@ -50,7 +50,7 @@ Index corner_index(std::string_view word, std::size_t vertices) {
   return index >= 0 && index < std::numeric_limits<Index>::max() ? static_cast<Index>(index) : no_index;
 }
 
-Result<void> read_face(TextCursor& cursor, std::size_t line, const std::string& name, ObjText& text) {
+Result<void> read_obj_face(TextCursor& cursor, std::size_t line, const std::string& name, ObjText& text) {
   Face face{line, text.corners.size(), 0};
   for (std::string_view word = cursor.word(); !word.empty() && !word.starts_with('#'); word = cursor.word()) {
     const Index corner = corner_index(word, text.mesh.vertices_mm.size());
@@ -69,7 +69,7 @@ Result<void> read_statement(std::string_view line_text, std::size_t line, const 
   const std::string_view keyword = cursor.word();
   if (keyword.empty() || keyword.starts_with('#')) return {};
   if (keyword == "v") return read_vertex(cursor, name, text);
-  if (keyword == "f") return read_face(cursor, line, name, text);
+  if (keyword == "f") return read_obj_face(cursor, line, name, text);
   if (std::find(ignored_statements.begin(), ignored_statements.end(), keyword) != ignored_statements.end()) return {};
   return bad_input("mesh-syntax", line_place(name, line) +
                                       "no OBJ statement begins so; the file is damaged or no OBJ, export it again");

@@ -44,7 +44,8 @@ Result<void> read_vertices(TextCursor& cursor, const std::string& name, std::int
   return {};
 }
 
-Result<void> read_face(TextCursor& cursor, const std::string& name, TriangleMesh& mesh, std::vector<Index>& corners) {
+Result<void> read_off_face(TextCursor& cursor, const std::string& name, TriangleMesh& mesh,
+                           std::vector<Index>& corners) {
   skip_comments(cursor);
   const auto sides = cursor.integer(name, "the number of corners of a face");
   if (!sides) return tl::unexpected(sides.error());
@@ -82,7 +83,7 @@ Result<TriangleMesh> parse_off(std::string_view bytes, const std::string& name) 
   if (auto read = read_vertices(cursor, name, *vertices, mesh); !read) return tl::unexpected(read.error());
   std::vector<Index> corners;
   for (std::int64_t f = 0; f < *faces; ++f)
-    if (auto read = read_face(cursor, name, mesh, corners); !read) return tl::unexpected(read.error());
+    if (auto read = read_off_face(cursor, name, mesh, corners); !read) return tl::unexpected(read.error());
   if (mesh.triangles.empty()) return bad_input("mesh-empty", name + ": the file has no face; export the surface again");
   return mesh;
 }

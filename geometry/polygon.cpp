@@ -1,5 +1,7 @@
 #include "geometry/polygon.hpp"
 
+#include "geometry/index.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -7,8 +9,6 @@
 namespace volute::geometry {
 
 namespace {
-
-std::size_t at(Index number) { return static_cast<std::size_t>(number); }
 
 /// Newell's normal: right for concave and slightly bent polygons too.
 Vec3 polygon_normal(const TriangleMesh& mesh, std::span<const Index> corners) {

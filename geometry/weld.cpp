@@ -5,14 +5,13 @@
 #include <numeric>
 #include <string>
 
+#include "geometry/index.hpp"
 #include "geometry/mesh_clean.hpp"
 #include "geometry/mesh_io.hpp"
 
 namespace volute::geometry {
 
 namespace {
-
-std::size_t at(Index number) { return static_cast<std::size_t>(number); }
 
 std::uint64_t hash_of(const Vec3& point) {
   std::uint64_t hash = 0;

@@ -18,8 +18,6 @@ struct Deviation {
   double tip_mm = 0.0, axis_rad = 0.0;
 };
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
 /// The same for unit vectors less than a right angle apart, where the chord loses nothing.
 double small_angle_between(const Vec3& a, const Vec3& b) {
   return 2.0 * std::asin(std::min(1.0, 0.5 * (a - b).norm()));

@@ -30,8 +30,6 @@ constexpr double reach_rad = 1e-13;
 // Two solutions nearer than this are one.
 constexpr double same_rad = 1e-9;
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
 Vec3 part_across(const Vec3& axis, const Vec3& v) { return v - axis.dot(v) * axis; }
 
 /// Turn about `axis` (unit) that takes the azimuth of `from` to that of `to`.

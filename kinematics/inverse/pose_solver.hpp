@@ -3,12 +3,16 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
 #include "kinematics/inverse/inverse.hpp"
 
 namespace volute::kinematics {
+
+/// Of two vectors, in [0, pi]; exact near both ends.
+inline double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 /// 0, 1 or 2 ways to point the tool, kept in place.
 struct RotarySolutions {

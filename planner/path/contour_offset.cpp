@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/index.hpp"
 #include "geometry/mesh_measure.hpp"
 #include "planner/path/baselines.hpp"
 #include "planner/path/level_trace.hpp"
@@ -12,13 +13,12 @@
 
 namespace volute::planner {
 
+using geometry::at;
 using geometry::MeshTopology;
 
 namespace {
 
-constexpr double link_intervals_max = 2.0;  ///< from offset to offset; farther is a rapid traversal
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+constexpr double offset_link_intervals_max = 2.0;  ///< from offset to offset; farther is a rapid traversal
 
 /// A closed pass at a whole number of intervals from the boundary.
 struct Offset {
@@ -128,7 +128,7 @@ std::vector<Run> chains(const std::vector<Offset>& offsets, const SurfaceLocator
             {link_across(locator, runs.back().back().points.back(), loop.front(), 0.25 * interval_mm), true});
       const Vec3 end = loop.back().point_mm;
       runs.back().push_back({std::move(loop), false});
-      current = next_offset(offsets, used, end, offsets[*current].level, link_intervals_max * interval_mm);
+      current = next_offset(offsets, used, end, offsets[*current].level, offset_link_intervals_max * interval_mm);
     }
   }
   return runs;

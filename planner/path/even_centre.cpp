@@ -10,6 +10,7 @@
 #include <optional>
 #include <queue>
 
+#include "geometry/index.hpp"
 #include "geometry/mesh_measure.hpp"
 #include "planner/path/even_field.hpp"
 #include "planner/path/even_path.hpp"
@@ -17,9 +18,9 @@
 #include "planner/surface/condition.hpp"
 
 namespace volute::planner {
-namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using geometry::at;
+namespace {
 
 constexpr double hopeless = std::numeric_limits<double>::infinity();
 

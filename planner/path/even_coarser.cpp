@@ -5,14 +5,15 @@
 
 #include "planner/path/even_resample.hpp"
 
+#include "geometry/index.hpp"
+
 namespace volute::planner {
 namespace {
 
+using geometry::at;
 using geometry::no_index;
 using geometry::Triangle;
 using geometry::Vec3;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 struct Candidate {
   double length_mm;

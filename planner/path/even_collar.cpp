@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/index.hpp"
 #include "planner/path/point_grid.hpp"
 
 namespace volute::planner {
-namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using geometry::at;
+namespace {
 
 constexpr double reach_turns = 1.3;  ///< the turn one interval outside the slit lies inside the collar
 constexpr double trusted_share = 0.95;

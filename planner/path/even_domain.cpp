@@ -6,6 +6,7 @@
 #include <set>
 
 #include "geometry/check.hpp"
+#include "geometry/index.hpp"
 #include "geometry/mesh_measure.hpp"
 #include "planner/path/even_resample.hpp"
 #include "planner/surface/cut.hpp"
@@ -15,10 +16,9 @@
 namespace volute::planner {
 namespace {
 
+using geometry::at;
 using geometry::BoundaryLoop;
 using geometry::MeshTopology;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// The surface while arms are laid into it, one after another.
 struct Opened {

@@ -6,12 +6,13 @@
 #include <cmath>
 
 #include "geometry/check.hpp"
+#include "geometry/index.hpp"
 #include "planner/path/even_collar.hpp"
 
 namespace volute::planner {
-namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using geometry::at;
+namespace {
 
 constexpr std::size_t grain = 2048;
 

@@ -4,15 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/index.hpp"
 #include "planner/path/even_prolong.hpp"
 #include "planner/path/even_rounding.hpp"
 #include "planner/path/path_measure.hpp"
 #include "planner/path/point_grid.hpp"
 
 namespace volute::planner {
-namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using geometry::at;
+namespace {
 
 constexpr double area_above_max_percent = 0.15;  ///< of the area, over the allowed scallop
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "geometry/check.hpp"
+#include "geometry/index.hpp"
 #include "planner/path/even_ending.hpp"
 #include "planner/path/even_prolong.hpp"
 #include "planner/path/level_trace.hpp"
@@ -14,9 +15,8 @@
 namespace volute::planner {
 namespace {
 
+using geometry::at;
 using geometry::BoundaryLoop;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 double value_at(const std::vector<double>& values, const SurfacePoint& p) {
   return p.is_vertex() ? values[at(p.a)] : (1.0 - p.t) * values[at(p.a)] + p.t * values[at(p.b)];

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/index.hpp"
 #include "planner/path/point_grid.hpp"
 
 namespace volute::planner {
-namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using geometry::at;
+namespace {
 
 struct Found {
   Index triangle = geometry::no_index;

@@ -6,16 +6,16 @@
 #include <numeric>
 
 #include "geometry/check.hpp"
+#include "geometry/index.hpp"
 
 namespace volute::planner {
 namespace {
 
+using geometry::at;
 using geometry::MeshTopology;
 using geometry::no_index;
 using geometry::Triangle;
 using geometry::Vec3;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// The triangle with middles (no_index: edge not halved) on its edges k -> k + 1.
 void append_split(const Triangle& t, const std::array<Index, 3>& middle, std::vector<Triangle>& out) {

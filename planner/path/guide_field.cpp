@@ -4,10 +4,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/index.hpp"
 #include "geometry/number_text.hpp"
 #include "planner/surface/operators.hpp"
 
 namespace volute::planner {
+
+using geometry::at;
 
 namespace {
 
@@ -15,8 +18,6 @@ constexpr double length_ratio_max = 12.0;  ///< over the lower bound; above, the
 constexpr double periodic_ratio_max = 5.0;
 constexpr double least_quantile = 0.01;
 constexpr int turn_bins = 256;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// The rectangle map as coordinates of the ring: both copies of a seam vertex become one vertex and a jump.
 PeriodicCoordinate around_of(const Annulus& annulus, const RectangleMap& map) {

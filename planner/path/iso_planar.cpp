@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "geometry/index.hpp"
 #include "geometry/mesh_measure.hpp"
 #include "planner/path/baselines.hpp"
 #include "planner/path/level_trace.hpp"
@@ -9,13 +10,12 @@
 
 namespace volute::planner {
 
+using geometry::at;
 using geometry::MeshTopology;
 
 namespace {
 
 constexpr double link_intervals_max = 3.0;  ///< a longer way along the boundary is a rapid traversal
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Where boundary vertices stand in their loops.
 class BoundaryWalk {

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "geometry/check.hpp"
+#include "geometry/index.hpp"
 
 namespace volute::planner {
 namespace {
 
+using geometry::at;
 using geometry::MeshTopology;
 using geometry::no_index;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// The levels between the corners of each triangle, and the walk along one of them.
 class LevelWalker {

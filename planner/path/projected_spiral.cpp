@@ -11,7 +11,7 @@ using geometry::MeshTopology;
 
 namespace {
 
-constexpr double samples_per_interval = 8.0;
+constexpr double points_per_interval = 8.0;
 /// A projected step that climbs more than this many steps leaves the surface: a wall or an edge.
 constexpr double climb_max = 4.0;
 
@@ -34,7 +34,7 @@ ProjectedSpiral around_boundary(const TriangleMesh& mesh, const std::vector<Inde
 
 /// From outside in; a run ends where the projection leaves the surface.
 std::vector<Run> project(const ProjectedSpiral& spiral, const SurfaceLocator& locator, double interval_mm) {
-  const double step_mm = interval_mm / samples_per_interval, turns = spiral.radius_mm / interval_mm + 0.5;
+  const double step_mm = interval_mm / points_per_interval, turns = spiral.radius_mm / interval_mm + 0.5;
   std::vector<Run> runs;
   std::vector<RawPoint> stretch;
   const auto close = [&] {

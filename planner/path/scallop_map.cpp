@@ -7,13 +7,14 @@
 #include <numeric>
 
 #include "geometry/check.hpp"
+#include "geometry/index.hpp"
 #include "geometry/mesh_measure.hpp"
 #include "planner/path/point_grid.hpp"
 
 namespace volute::planner {
-namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using geometry::at;
+namespace {
 
 std::vector<Vec3> ball_centres(const CcPath& path, double radius_mm, double spacing_mm) {
   std::vector<Vec3> centres;

@@ -6,12 +6,14 @@
 #include <set>
 
 #include "geometry/check.hpp"
+#include "geometry/index.hpp"
 #include "geometry/number_text.hpp"
 #include "planner/path/level_trace.hpp"
 #include "planner/surface/edge_curve.hpp"
 
 namespace volute::planner {
 
+using geometry::at;
 using geometry::bad_input;
 using geometry::MeshTopology;
 
@@ -19,8 +21,6 @@ namespace {
 
 /// Edges whose end normals differ more are creases, not chords of a smooth surface: the edge stands for itself.
 const double crease_cosine = std::cos(0.35);
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Turns places on the ring's mesh into raw points on the nominal surface.
 class Placer {

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/index.hpp"
+
 namespace volute::planner {
 
-namespace {
+using geometry::at;
 
-std::size_t at(long i) { return static_cast<std::size_t>(i); }
+namespace {
 
 /// Barycentric shares of the point of triangle a b c nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
 Vec3 nearest_shares(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "geometry/check.hpp"
+#include "geometry/index.hpp"
 #include "geometry/mesh_measure.hpp"
 #include "geometry/number_text.hpp"
 #include "planner/surface/centre_slit.hpp"
@@ -12,14 +13,13 @@
 
 namespace volute::planner {
 
+using geometry::at;
 using geometry::bad_input;
 using geometry::BoundaryLoop;
 using geometry::MeshTopology;
 using geometry::no_index;
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// A mesh that is cut step by step; `root` leads back to the vertices of the uncut surface.
 struct CutState {

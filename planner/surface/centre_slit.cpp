@@ -5,6 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "geometry/index.hpp"
 #include "geometry/mesh_measure.hpp"
 #include "planner/surface/operators.hpp"
 #include "planner/surface/slice_path.hpp"
@@ -12,6 +13,7 @@
 
 namespace volute::planner {
 
+using geometry::at;
 using geometry::bad_input;
 using geometry::MeshTopology;
 using geometry::next_halfedge;
@@ -20,8 +22,6 @@ namespace {
 
 constexpr double deep_share = 0.9;  ///< of the greatest depth
 constexpr double slit_share = 0.8;  ///< of the focal segment
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// -Laplace(u) = 1, u = 0 on the boundary; mm^2.
 Result<Eigen::VectorXd> depth_of(const TriangleMesh& mesh, const MeshTopology& topology) {

@@ -1,14 +1,14 @@
 #include "planner/surface/operators.hpp"
 
 #include "geometry/check.hpp"
+#include "geometry/index.hpp"
 
 namespace volute::planner {
 namespace {
 
+using geometry::at;
 using geometry::Triangle;
 using geometry::TriangleMesh;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 TriangleOperator triangle_operator(const Vec3& a, const Vec3& b, const Vec3& c) {
   TriangleOperator out;

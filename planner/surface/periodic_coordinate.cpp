@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/check.hpp"
+#include "geometry/index.hpp"
 #include "planner/surface/operators.hpp"
 #include "planner/surface/slice_path.hpp"
 #include "planner/surface/sparse_solver.hpp"
@@ -10,11 +11,10 @@
 namespace volute::planner {
 namespace {
 
+using geometry::at;
 using geometry::BoundaryLoop;
 using geometry::MeshTopology;
 using geometry::TriangleMesh;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Position among the vertex's outgoing halfedges of the edge to `target`; the count itself for the closing boundary
 /// edge.

@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/index.hpp"
 #include "planner/surface/operators.hpp"
 #include "planner/surface/sparse_solver.hpp"
 
 namespace volute::planner {
 
+using geometry::at;
 using geometry::bad_input;
 using geometry::MeshTopology;
 using geometry::Triangle;
@@ -17,8 +19,6 @@ namespace {
 
 /// Least weight of an edge when negative ones are raised; a right angle has 0, an equilateral pair 0.58.
 constexpr double raised_weight = 0.02;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Corner values of both coordinates of a triangle.
 using Corners = std::array<Vec2, 3>;

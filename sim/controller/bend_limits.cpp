@@ -6,7 +6,7 @@
 namespace volute::sim {
 
 namespace {
-constexpr int axes = kinematics::axis_count;
+using kinematics::axis_count;
 /// Where the start (or the end) speed cancels out of a bound, what is left of it is rounding: it is taken as not there.
 /// The bounds themselves stand this much under the axes' limits and more (MotionLimits), so that nothing is lost.
 constexpr double negligible = 1e-9;
@@ -20,12 +20,12 @@ void drop_rounding(double& weight, double other) {
 // end rate u.
 BendLimits::BendLimits(const PathCell& cell) {
   const double half = 0.5 / cell.length;
-  for (int i = 0; i < axes; ++i) {
+  for (int i = 0; i < axis_count; ++i) {
     const double scale = 1.0 / cell.limits->acceleration[static_cast<std::size_t>(i)];
     const double bend = cell.curvature[i] * scale;
     const double start_rate = cell.rate[i] * half * scale;
     const double end_rate = (cell.rate[i] + cell.length * cell.curvature[i]) * half * scale;
-    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(i + axes);
+    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(i + axis_count);
     from_weight_[a] = bend - start_rate;
     to_weight_[a] = start_rate;
     from_weight_[b] = -end_rate;

@@ -9,7 +9,7 @@ namespace volute::sim {
 
 namespace {
 
-constexpr int axes = kinematics::axis_count;
+using kinematics::axis_count;
 /// A turn of dq/ds below this (per unit of s) is rounding of the program's last digits.
 constexpr double no_turn = 1e-12;
 /// A bend of the tip's path (or, without TCP, of the linear axes) from here on is called a corner in reports.
@@ -29,7 +29,7 @@ Vec3 contour_part(const PathPoint& at, const AxisVector& v) {
 
 void limit_velocity(PathCell& cell) {
   const AxisVector end_rate = cell.rate + cell.length * cell.curvature;
-  for (int i = 0; i < axes; ++i) {
+  for (int i = 0; i < axis_count; ++i) {
     const double rate = std::max(std::abs(cell.rate[i]), std::abs(end_rate[i]));
     if (rate <= 0.0) continue;
     const double speed = cell.limits->velocity[static_cast<std::size_t>(i)] / rate;
@@ -39,7 +39,7 @@ void limit_velocity(PathCell& cell) {
 
 void limit_acceleration(PathCell& cell) {
   cell.acceleration_max = no_limit;
-  for (int i = 0; i < axes; ++i) {
+  for (int i = 0; i < axis_count; ++i) {
     const double rate = std::abs(cell.rate[i]);
     if (rate <= 0.0) continue;
     const double acceleration = cell.limits->acceleration[static_cast<std::size_t>(i)] / rate;
@@ -54,7 +54,7 @@ int cells_of_turn(const AxisVector& in, const AxisVector& out, int halves, const
   constexpr double turn_of_a_cell = 0.07;
   const int cells_most = 32 / halves;
   double turn = 0.0, size = 0.0;
-  for (int i = 0; i < axes; ++i) {
+  for (int i = 0; i < axis_count; ++i) {
     const double a = limits.acceleration[static_cast<std::size_t>(i)];
     turn = std::max(turn, std::abs(out[i] - in[i]) / a);
     size = std::max({size, std::abs(in[i]) / a, std::abs(out[i]) / a});

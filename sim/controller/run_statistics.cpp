@@ -11,7 +11,7 @@ namespace volute::sim {
 
 namespace {
 
-constexpr int axes = kinematics::axis_count;
+using kinematics::axis_count;
 constexpr std::size_t worst_kept = 20;
 /// More lost time first; the earlier line first among equals.
 bool worse(const SlowBlock& a, const SlowBlock& b) {
@@ -51,7 +51,7 @@ RunStatistics::RunStatistics(const kinematics::Machine& machine, double period_s
   error_.setZero();
   lowest_.setConstant(no_limit);
   highest_.setConstant(-no_limit);
-  for (int i = 0; i < axes; ++i) {
+  for (int i = 0; i < axis_count; ++i) {
     const kinematics::Axis& axis = machine.axes[static_cast<std::size_t>(i)];
     travel_min_[i] = axis.travel_min.value_or(-no_limit);
     travel_max_[i] = axis.travel_max.value_or(no_limit);
@@ -177,7 +177,7 @@ void RunStatistics::add_contour_error(const AxisSample& sample, const AxisVector
 void RunStatistics::check_travel(const AxisSample& sample) {
   constexpr double rounding = 1e-9;
   constexpr std::size_t events_kept = 1000;
-  for (int i = 0; i < axes; ++i) {
+  for (int i = 0; i < axis_count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const bool low = sample.position[i]<travel_min_[i] - rounding, high = sample.position[i]> travel_max_[i] + rounding;
     if ((low || high) && !outside_[k] && report_.out_of_travel.size() < events_kept)
@@ -204,7 +204,7 @@ RunReport RunStatistics::report() const {
   report.time_by_cause_s["rapid"] += rapid_s_;
   report.time_by_cause_s["dwell"] += dwell_s_;
   report.time_by_cause_s["acceleration"] += stop_s_;
-  for (int i = 0; i < axes; ++i) {
+  for (int i = 0; i < axis_count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const kinematics::Axis& axis = machine_.axes[k];
     AxisPeaks& peaks = report.axes[k];

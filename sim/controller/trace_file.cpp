@@ -18,7 +18,7 @@ using geometry::bad_input;
 using geometry::Result;
 using geometry::system_error;
 
-constexpr int axes = kinematics::axis_count;
+using kinematics::axis_count;
 constexpr std::size_t header_bytes = 64, record_bytes = 96;
 constexpr std::size_t count_at = 24;
 static_assert(std::endian::native == std::endian::little, "traces are written in the machine's own order");
@@ -52,8 +52,8 @@ struct TraceWriter::State {
   std::ofstream out;
   TraceFormat format = TraceFormat::csv;
   const kinematics::Machine* machine = nullptr;
-  std::array<char, axes> letters{};
-  std::array<double, axes> unit{};  ///< factor from mm, rad to mm, deg
+  std::array<char, axis_count> letters{};
+  std::array<double, axis_count> unit{};  ///< factor from mm, rad to mm, deg
   std::uint64_t seen = 0;
   int stride = 1;
   std::string buffer;
@@ -106,7 +106,7 @@ void TraceWriter::set_stride(int stride) {
 void TraceWriter::State::csv(const AxisSample& sample) {
   geometry::append_fixed(buffer, sample.time_s, 6);
   for (const AxisVector* v : {&sample.position, &sample.velocity, &sample.acceleration, &sample.jerk, &sample.actual})
-    for (int i = 0; i < axes; ++i) {
+    for (int i = 0; i < axis_count; ++i) {
       buffer += ',';
       geometry::append_fixed(buffer, (*v)[i] * unit[static_cast<std::size_t>(i)], 6);
     }
@@ -120,7 +120,7 @@ void TraceWriter::State::csv(const AxisSample& sample) {
 
 void TraceWriter::State::binary(const AxisSample& sample) {
   char record[record_bytes] = {};
-  for (int i = 0; i < axes; ++i) {
+  for (int i = 0; i < axis_count; ++i) {
     put(record + 8 * i, sample.position[i]);
     put(record + 40 + 4 * i, static_cast<float>(sample.velocity[i]));
     put(record + 60 + 4 * i, static_cast<float>(sample.position[i] - sample.actual[i]));
@@ -179,7 +179,7 @@ Result<Trace> read_trace(const std::filesystem::path& file) {
     return refuse("its length does not fit the " + std::to_string(count) + " records it announces");
   Trace trace;
   trace.period_s = take<double>(at + 16);
-  std::memcpy(trace.letters.data(), at + 32, axes);
+  std::memcpy(trace.letters.data(), at + 32, axis_count);
   trace.samples.resize(count);
   at += header_bytes;
   for (std::uint64_t k = 0; k < count; ++k, at += record_bytes) {
@@ -187,7 +187,7 @@ Result<Trace> read_trace(const std::filesystem::path& file) {
     sample.time_s = static_cast<double>(k) * trace.period_s;
     sample.acceleration.setZero();
     sample.jerk.setZero();
-    for (int i = 0; i < axes; ++i) {
+    for (int i = 0; i < axis_count; ++i) {
       sample.position[i] = take<double>(at + 8 * i);
       sample.velocity[i] = static_cast<double>(take<float>(at + 40 + 4 * i));
       sample.actual[i] = sample.position[i] - static_cast<double>(take<float>(at + 60 + 4 * i));

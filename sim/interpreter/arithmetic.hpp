@@ -7,7 +7,8 @@
 
 namespace volute::sim {
 
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
+constexpr double rad_per_deg = std::numbers::pi / 180.0, rad_s_per_rpm = std::numbers::pi / 30.0;
+constexpr double turn_rad = 2.0 * std::numbers::pi;
 /// Brackets and signs within each other before a text is refused.
 constexpr int nesting_most = 64;
 

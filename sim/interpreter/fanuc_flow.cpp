@@ -7,8 +7,8 @@
 namespace volute::sim {
 
 namespace {
-constexpr std::size_t calls_deep_most = 10;
-constexpr std::int64_t calls_most = 1'000'000;
+constexpr std::size_t fanuc_calls_deep_most = 10;
+constexpr std::int64_t fanuc_calls_most = 1'000'000;
 }  // namespace
 
 void FanucFlow::index_programs() {
@@ -35,9 +35,9 @@ bool FanucFlow::call(std::size_t column, std::int64_t p, std::int64_t times) {
   const auto found = programs_.find(p);
   if (found == programs_.end()) return fault("subprogram O" + std::to_string(p) + " is not in this file; append it");
   if (times < 1) return fault("a subprogram is called at least once; L is " + std::to_string(times));
-  if (frames_.size() == calls_deep_most) return fault("subprograms call each other more than 10 deep");
+  if (frames_.size() == fanuc_calls_deep_most) return fault("subprograms call each other more than 10 deep");
   calls_ += times;
-  if (calls_ > calls_most)
+  if (calls_ > fanuc_calls_most)
     return diagnosis_.fault(column, "program-endless", "subprograms were called a million times");
   frames_.push_back({found->second, source_.after(), times});
   source_.go_to(found->second);

@@ -4,14 +4,14 @@
 #include <numbers>
 
 #include "geometry/number_text.hpp"
+#include "sim/interpreter/arithmetic.hpp"
 #include "sim/interpreter/heidenhain_program.hpp"
 
 namespace volute::sim {
 
 namespace {
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
-constexpr std::size_t calls_deep_most = 20;
-constexpr std::int64_t jumps_most = 1'000'000;
+constexpr std::size_t heidenhain_calls_most = 20;
+constexpr std::int64_t heidenhain_jumps_most = 1'000'000;
 }  // namespace
 
 bool HeidenhainProgram::set_tcp(bool on, std::size_t column) {
@@ -199,7 +199,7 @@ bool HeidenhainProgram::go_to_label(const std::string& wanted, LineMark& out) {
 }
 
 bool HeidenhainProgram::jump(LineMark mark) {
-  if (++jumps_ > jumps_most) return fault(0, "program-endless", "labels were called a million times");
+  if (++jumps_ > heidenhain_jumps_most) return fault(0, "program-endless", "labels were called a million times");
   reading_.source.go_to(mark);
   return true;
 }
@@ -222,7 +222,7 @@ bool HeidenhainProgram::call() {
     return jump(mark);
   }
   if (!expect_end()) return false;
-  if (calls_.size() == calls_deep_most)
+  if (calls_.size() == heidenhain_calls_most)
     return fault(column, "program-subprogram", "subprograms call each other more than 20 deep");
   calls_.push_back({reading_.source.after()});
   return jump(mark);

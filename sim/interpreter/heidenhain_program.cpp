@@ -3,13 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace volute::sim {
+#include "sim/interpreter/arithmetic.hpp"
 
-namespace {
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
-constexpr double turn_rad = 2.0 * std::numbers::pi;
-constexpr double rad_s_per_rpm = std::numbers::pi / 30.0;
-}  // namespace
+namespace volute::sim {
 
 std::unique_ptr<Dialect> make_heidenhain_dialect(Reading& reading) {
   return std::make_unique<HeidenhainProgram>(reading);

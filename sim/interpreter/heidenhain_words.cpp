@@ -3,15 +3,11 @@
 #include <cmath>
 
 #include "geometry/number_text.hpp"
+#include "sim/interpreter/arithmetic.hpp"
 #include "sim/interpreter/expression.hpp"
 #include "sim/interpreter/heidenhain_program.hpp"
 
 namespace volute::sim {
-
-namespace {
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-}  // namespace
 
 void HeidenhainProgram::skip_blanks() {
   while (at_ < line_.size() && (line_[at_] == ' ' || line_[at_] == '\t')) ++at_;
@@ -24,16 +20,16 @@ bool HeidenhainProgram::at_end() {
 
 std::string HeidenhainProgram::name() {
   std::string out;
-  while (at_ < line_.size() && letter(line_[at_])) out += upper(line_[at_++]);
+  while (at_ < line_.size() && is_letter(line_[at_])) out += upper_case(line_[at_++]);
   return out;
 }
 
 bool HeidenhainProgram::accept(std::string_view text) {
   skip_blanks();
   std::size_t i = 0;
-  while (i < text.size() && at_ + i < line_.size() && upper(line_[at_ + i]) == text[i]) ++i;
+  while (i < text.size() && at_ + i < line_.size() && upper_case(line_[at_ + i]) == text[i]) ++i;
   if (i < text.size()) return false;
-  const bool goes_on = at_ + i < line_.size() && letter(text.back()) && letter(line_[at_ + i]);
+  const bool goes_on = at_ + i < line_.size() && is_letter(text.back()) && is_letter(line_[at_ + i]);
   if (!goes_on) at_ += i;
   return !goes_on;
 }
@@ -75,11 +71,11 @@ bool HeidenhainProgram::words(bool straight) {
 
 bool HeidenhainProgram::word(bool straight) {
   const std::size_t column = at_;
-  if (!letter(line_[at_]))
+  if (!is_letter(line_[at_]))
     return fault(column, "program-syntax", in_quotes(line_.substr(at_, 1)) + " does not begin a word");
   // One letter with a number behind it is by far the most frequent word.
-  const char first = upper(line_[at_]);
-  if (at_ + 1 < line_.size() && !letter(line_[at_ + 1])) {
+  const char first = upper_case(line_[at_]);
+  if (at_ + 1 < line_.size() && !is_letter(line_[at_ + 1])) {
     ++at_;
     if (first == 'F') return feed(column);
     if (first == 'M') return m_function(column);
@@ -131,7 +127,7 @@ bool HeidenhainProgram::coordinate(const std::string& text, std::size_t column) 
 bool HeidenhainProgram::feed(std::size_t column) {
   words_.feed_column = column;
   if (accept("MAX")) return words_.rapid = true;
-  if (at_ < line_.size() && letter(line_[at_]) && upper(line_[at_]) != 'Q')
+  if (at_ < line_.size() && is_letter(line_[at_]) && upper_case(line_[at_]) != 'Q')
     return unknown(column, "F" + name(), "the feed is written as F with a number, or FMAX");
   double value = 0.0;
   if (!number(value)) return false;

@@ -3,10 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/interpreter/arithmetic.hpp"
+
 namespace volute::sim {
 
 namespace {
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
 constexpr double seconds_per_minute = 60.0;
 /// Words that differ by less name the same position: far below the last digit of any control (1e-6 mm).
 constexpr double same_position_mm = 1e-9;

@@ -4,14 +4,15 @@
 #include <cctype>
 #include <cmath>
 
+#include "sim/interpreter/arithmetic.hpp"
+
 namespace volute::sim {
 
 namespace {
-constexpr std::size_t calls_most = 64;
+constexpr std::size_t oword_calls_most = 64;
 /// Loops and calls in a row without a single motion, and in the whole program.
 constexpr std::int64_t idle_jumps_most = 200'000, jumps_most = 10'000'000;
 
-bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 }  // namespace
 
 bool OwordFlow::parse(std::string_view line, std::size_t at, Line& out) {
@@ -32,7 +33,7 @@ bool OwordFlow::parse(std::string_view line, std::size_t at, Line& out) {
   reader.skip_blanks();
   out.at = reader.at();
   out.keyword.clear();
-  while (out.at < line.size() && letter(line[out.at]))
+  while (out.at < line.size() && is_letter(line[out.at]))
     out.keyword += static_cast<char>(std::tolower(static_cast<unsigned char>(line[out.at++])));
   return true;
 }
@@ -110,7 +111,7 @@ bool OwordFlow::call(std::string_view line, const Line& word) {
   if (sub == subs_.end())
     return fault("subprogram " + word.label +
                  " is not defined above in this file; copy it in (other files are not read)");
-  if (frames_.size() > calls_most) return fault("subprograms call each other more than 64 deep");
+  if (frames_.size() > oword_calls_most) return fault("subprograms call each other more than 64 deep");
   std::vector<double> arguments;
   std::size_t at = word.at;
   while (true) {

@@ -4,16 +4,14 @@
 #include <numbers>
 
 #include "geometry/number_text.hpp"
+#include "sim/interpreter/arithmetic.hpp"
 #include "sim/interpreter/expression.hpp"
 #include "sim/interpreter/siemens_program.hpp"
 
 namespace volute::sim {
 
 namespace {
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool digit(char c) { return c >= '0' && c <= '9'; }
+bool in_name(char c) { return is_letter(c) || c == '_'; }
 void skip_blanks(std::string_view line, std::size_t& at) {
   while (at < line.size() && (line[at] == ' ' || line[at] == '\t')) ++at;
 }
@@ -35,15 +33,15 @@ bool SiemensProgram::words(std::string_view line, std::size_t at) {
 
 bool SiemensProgram::word(std::string_view line, std::size_t& at) {
   const std::size_t column = at;
-  if (!letter(line[at]))
+  if (!in_name(line[at]))
     return fault(column, "program-syntax", in_quotes(line.substr(at, 1)) + " does not begin a word");
   // A single letter with a number (X10, G1, R1 = ...), or a name (TRAORI, CR=, CYCLE832(...), A3=).
   std::size_t end = at + 1;
-  const bool short_address = end >= line.size() || !letter(line[end]);
+  const bool short_address = end >= line.size() || !in_name(line[end]);
   if (short_address) {
-    while (end < line.size() && digit(line[end])) ++end;
+    while (end < line.size() && is_digit(line[end])) ++end;
   } else {
-    while (end < line.size() && (letter(line[end]) || digit(line[end]))) ++end;
+    while (end < line.size() && (in_name(line[end]) || is_digit(line[end]))) ++end;
   }
   std::size_t next = end;
   skip_blanks(line, next);
@@ -56,10 +54,10 @@ bool SiemensProgram::word(std::string_view line, std::size_t& at) {
     if (!value)
       return fault(column, "program-syntax", "the number is missing behind " + in_quotes(line.substr(column, 1)));
     at = number_at;
-    return address(upper(line[column]), *value, column);
+    return address(upper_case(line[column]), *value, column);
   }
   std::string name;
-  for (std::size_t i = at; i < end; ++i) name += upper(line[i]);
+  for (std::size_t i = at; i < end; ++i) name += upper_case(line[i]);
   at = next;
   if (follows == '=') return assignment(line, ++at, name, column);
   if (follows == '[') return indexed(name, column);
@@ -136,7 +134,7 @@ bool SiemensProgram::axis_value(std::string_view line, std::size_t& at, SiemensA
   bool bracket = false;
   for (const Mode& mode : modes) {
     std::size_t i = 0;
-    while (i < mode.name.size() && at + i < line.size() && upper(line[at + i]) == mode.name[i]) ++i;
+    while (i < mode.name.size() && at + i < line.size() && upper_case(line[at + i]) == mode.name[i]) ++i;
     if (i < mode.name.size()) continue;
     out.mode = mode.mode;
     at += i;
@@ -188,7 +186,7 @@ bool SiemensProgram::assignment(std::string_view line, std::size_t& at, const st
     return address(name[0], word.value, column);
   }
   const double value = word.value;
-  if (name[0] == 'R' && name.size() > 1 && digit(name[1])) {
+  if (name[0] == 'R' && name.size() > 1 && is_digit(name[1])) {
     const auto index = geometry::parse_integer(std::string_view(name).substr(1));
     if (!index || *index > Variables::highest) return unknown(column, name, "R parameters are R0 to R1999");
     variables_.set(static_cast<int>(*index), value);

@@ -3,11 +3,12 @@
 #include <cmath>
 #include <string>
 
+#include "sim/interpreter/arithmetic.hpp"
+
 namespace volute::sim {
 
 namespace {
 bool blank(char c) { return c == ' ' || c == '\t'; }
-bool digit(char c) { return c >= '0' && c <= '9'; }
 }  // namespace
 
 bool WordLexer::skip_comments(std::string_view line, std::size_t& at) {
@@ -38,14 +39,14 @@ bool WordLexer::skip_prefix(std::string_view line, std::size_t& at) {
   // Block delete: the switch is taken as off, so the block runs.
   if (at < line.size() && line[at] == '/') {
     ++at;
-    if (at < line.size() && digit(line[at])) ++at;
+    if (at < line.size() && is_digit(line[at])) ++at;
     if (!skip_comments(line, at)) return false;
   }
   if (at >= line.size() || (line[at] != 'N' && line[at] != 'n')) return true;
   const std::size_t column = at++;
   while (at < line.size() && blank(line[at])) ++at;
   const std::size_t first = at;
-  while (at < line.size() && (digit(line[at]) || line[at] == '.')) ++at;
+  while (at < line.size() && (is_digit(line[at]) || line[at] == '.')) ++at;
   if (at == first) return fault(column, "the block number is missing behind N");
   return skip_comments(line, at);
 }
@@ -82,7 +83,7 @@ bool WordLexer::word(std::string_view line, std::size_t& at, Block& block) {
     value = *number;
     std::size_t next = at;
     while (next < line.size() && blank(line[next])) ++next;
-    if (next < line.size() && (digit(line[next]) || line[next] == '.'))
+    if (next < line.size() && (is_digit(line[next]) || line[next] == '.'))
       return fault(next, "the number of " + in_quotes(line.substr(column, next + 1 - column)) + " is broken");
   } else if (at < line.size() && (line[at] == '#' || line[at] == '[' || line[at] == '-' || line[at] == '+' ||
                                   (style_.linuxcnc && line[at] != '(' && line[at] != ';'))) {

@@ -3,12 +3,12 @@
 #include <numbers>
 
 #include "geometry/number_text.hpp"
+#include "sim/interpreter/arithmetic.hpp"
 #include "sim/interpreter/word_program.hpp"
 
 namespace volute::sim {
 
 namespace {
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
 constexpr std::uint32_t bits(std::string_view letters) {
   std::uint32_t out = 0;
   for (const char c : letters) out |= 1U << (c - 'A');

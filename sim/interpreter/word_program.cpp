@@ -5,11 +5,11 @@
 #include <numbers>
 
 #include "geometry/number_text.hpp"
+#include "sim/interpreter/arithmetic.hpp"
 
 namespace volute::sim {
 
 namespace {
-constexpr double rad_s_per_rpm = std::numbers::pi / 30.0;
 constexpr int user_codes_from = 1000;  ///< M100 in tenths: codes that an integrator defines
 }  // namespace
 

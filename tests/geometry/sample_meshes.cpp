@@ -8,14 +8,15 @@
 #include <map>
 #include <numbers>
 
+#include "geometry/index.hpp"
 #include "geometry/number_text.hpp"
 
 namespace volute::geometry::test {
 
+using geometry::at;
+
 namespace {
 constexpr double pi = std::numbers::pi;
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 /// A grid of vertices (columns x rows), wrapped round in one or both directions.
 template <class Point>
 TriangleMesh grid(int columns, int rows, bool wrap_columns, bool wrap_rows, const Point& point) {

@@ -15,7 +15,6 @@ namespace volute::sim::linuxcnc {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-const double normal_share = std::sqrt(1.0 - 0.25);
 
 struct Leg {
   bool arc = false, convex = false;  ///< convex: the arc bends away from the other leg

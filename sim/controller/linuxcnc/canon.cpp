@@ -8,7 +8,7 @@ namespace volute::sim::linuxcnc {
 
 namespace {
 
-constexpr double fuzz = 1e-8, degrees = 180.0 / std::numbers::pi, pi = std::numbers::pi;
+constexpr double half_turn = std::numbers::pi;
 constexpr std::size_t chained_most = 100;
 
 EndMode end_mode(PathMode mode) {
@@ -58,8 +58,9 @@ void Canon::set_modes(const MotionBlock& block, const Sink& sink) {
 
 // Inverse time becomes a feed before the planner sees it, never less than 0.1 a minute.
 void Canon::set_feed(const MotionBlock& block, const Position& end, const Sink& sink) {
-  double linear = block.feed, rotary = block.feed * (block.rotary_only ? degrees : 1.0);
-  if (block.feed_mode == FeedMode::per_revolution) linear = rotary = block.feed * block.spindle_rad_s / (2.0 * pi);
+  double linear = block.feed, rotary = block.feed * (block.rotary_only ? deg_per_rad : 1.0);
+  if (block.feed_mode == FeedMode::per_revolution)
+    linear = rotary = block.feed * block.spindle_rad_s / (2.0 * half_turn);
   if (block.feed_mode == FeedMode::inverse_time) {
     const Position& from = seen();
     double length = (end.xyz - from.xyz).norm();
@@ -155,10 +156,10 @@ void Canon::add_arc(const MotionBlock& block, const Position& end, const Vec3& c
   const double rise = (end.xyz - from.xyz).dot(block.plane_normal);
   spoke -= spoke.dot(block.plane_normal) * block.plane_normal;
   const bool flat_plane = std::abs(block.plane_normal.z()) > 0.999999;
-  const double sweep = std::remainder(std::abs(block.sweep_rad), 2.0 * pi) <= 0.0
-                           ? std::fmod(std::abs(block.sweep_rad), 2.0 * pi)
+  const double sweep = std::remainder(std::abs(block.sweep_rad), 2.0 * half_turn) <= 0.0
+                           ? std::fmod(std::abs(block.sweep_rad), 2.0 * half_turn)
                            : std::abs(block.sweep_rad);
-  const double included = std::abs(block.sweep_rad) > 2.0 * pi ? sweep : std::abs(block.sweep_rad);
+  const double included = std::abs(block.sweep_rad) > 2.0 * half_turn ? sweep : std::abs(block.sweep_rad);
   if (flat_plane && mode_ == EndMode::parabolic && spoke.norm() * (1.0 - std::cos(0.5 * included)) < naive_tolerance_) {
     Position middle;
     middle.xyz = centre + Eigen::AngleAxisd(0.5 * block.sweep_rad, block.plane_normal) * spoke;
@@ -200,7 +201,7 @@ void Canon::send_arc(const MotionBlock& block, const Position& end, const Vec3& 
   move.acceleration = length / std::max(slowest(end, bounds_.acceleration).time_s, flat_length / acceleration_axes);
   move.speed = std::min(linear_feed_, move.speed_max);
   move.normal = n;
-  const int whole = std::max(0, static_cast<int>(std::ceil(angle / (2.0 * pi) - 1e-9)) - 1);
+  const int whole = std::max(0, static_cast<int>(std::ceil(angle / (2.0 * half_turn) - 1e-9)) - 1);
   move.turns = block.sweep_rad > 0.0 ? whole : -1 - whole;
   send(move, sink);
   at_ = end;

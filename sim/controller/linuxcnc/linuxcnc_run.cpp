@@ -14,13 +14,12 @@ namespace volute::sim::linuxcnc {
 
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr int axes = kinematics::axis_count;
 
 AxisBounds bounds_of(const kinematics::Machine& machine) {
   AxisBounds bounds;
   for (std::size_t i = 0; i < bounds.velocity.size(); ++i) {
-    const double unit = machine.axes[i].kind == kinematics::AxisKind::rotary ? degrees : 1.0;
+    const double unit = machine.axes[i].kind == kinematics::AxisKind::rotary ? deg_per_rad : 1.0;
     bounds.velocity[i] = machine.axes[i].velocity_max * unit;
     bounds.acceleration[i] = machine.axes[i].acceleration_max * unit;
   }
@@ -91,8 +90,8 @@ class Run {
     const auto target = geometry_.target_of(block);
     if (!target) return tl::unexpected(target.error());
     describe(block, *target, info);
-    const Position end = tip ? Position{target->tip_P_mm, target->q.tail<2>() * degrees}
-                             : Position{target->q.head<3>(), target->q.tail<2>() * degrees};
+    const Position end = tip ? Position{target->tip_P_mm, target->q.tail<2>() * deg_per_rad}
+                             : Position{target->q.head<3>(), target->q.tail<2>() * deg_per_rad};
     Vec3 centre = block.centre_mm;
     if (!tip && !block.machine_coordinates) centre += geometry_.zero_of(block).head<3>();
     if (auto done = geometry_.go_to(block, *target); !done) return done;
@@ -141,7 +140,7 @@ class Run {
     tip_frame_ = tip;
     Position at;
     at.xyz = tip ? geometry_.tip() : Vec3(geometry_.position().head<3>());
-    at.rotary_deg = geometry_.position().tail<2>() * degrees;
+    at.rotary_deg = geometry_.position().tail<2>() * deg_per_rad;
     planner_.stand_at(at);
     canon_.stand_at(at);
   }
@@ -150,7 +149,7 @@ class Run {
   AxisVector axes_now() {
     const Position& now = planner_.position();
     AxisVector q;
-    q << now.xyz, now.rotary_deg / degrees;
+    q << now.xyz, now.rotary_deg / deg_per_rad;
     if (!tip_frame_) return q;
     q.head<3>() = older_[2].head<3>();
     return geometry_.solver().with_tip(now.xyz, q).value_or(older_[2]);

@@ -9,10 +9,8 @@ namespace volute::sim::linuxcnc {
 
 namespace {
 
-constexpr double fuzz = 1e-8;
 constexpr double tiny = std::numeric_limits<double>::epsilon();
 constexpr double two_pi = 2.0 * std::numbers::pi;
-const double normal_share = std::sqrt(1.0 - 0.25);  // of the acceleration, across an arc: half is kept along it
 
 }  // namespace
 

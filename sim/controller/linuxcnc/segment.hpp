@@ -1,12 +1,20 @@
 // One segment in the queue of LinuxCNC's planner: its curve, its speeds and the state of its motion.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "geometry/vector.hpp"
 #include "sim/controller/path_point.hpp"
 
 namespace volute::sim::linuxcnc {
+
+constexpr double deg_per_rad = 180.0 / std::numbers::pi;
+/// What is smaller is nothing to this control.
+constexpr double fuzz = 1e-8;
+/// Of the acceleration, across an arc: half is kept along it.
+inline const double normal_share = std::sqrt(1.0 - 0.25);
 
 /// X Y Z in mm and the two rotaries in degrees, as this control counts them: thresholds and feeds of rotary motion are
 /// in degrees.

@@ -5,14 +5,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/index.hpp"
 #include "planner/surface/geodesic_distance.hpp"
 #include "sample_surfaces.hpp"
 #include "tests/cases.hpp"
 
 namespace volute::planner {
-namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using geometry::at;
+namespace {
 
 /// Triangles of no or negative area, counted here again from the coordinates.
 int flipped_in_rectangle(const Annulus& annulus, const RectangleMap& map) {
