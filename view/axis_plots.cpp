@@ -13,8 +13,6 @@ namespace {
 using geometry::Vec2;
 using kinematics::AxisVector;
 
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
-
 using Quantity = AxisVector sim::AxisSample::*;
 
 PlotSeries series_of(const RunView& view, int axis, Quantity quantity, double unit) {

@@ -11,7 +11,7 @@ namespace volute::view {
 
 namespace {
 
-constexpr int caption_height = 34, gap = 10, sheet_shades = 32;
+constexpr int caption_height = 34, sheet_gap = 10, sheet_shades = 32;
 constexpr double caption_size = 17.0, least_caption_size = 11.0, panel_text_unit = 0.62;
 
 struct CairoCloser {
@@ -62,10 +62,10 @@ Image figure_sheet(const std::vector<FigurePanel>& panels, int columns) {
     VOLUTE_CHECK(panel.image.width == width && panel.image.height == height, panel.image.width, panel.image.height);
   const int count = static_cast<int>(panels.size()), across = std::min(columns, count);
   const int rows = (count + across - 1) / across, cell = height + caption_height;
-  Image sheet{across * width + (across + 1) * gap, rows * cell + (rows + 1) * gap, {}};
+  Image sheet{across * width + (across + 1) * sheet_gap, rows * cell + (rows + 1) * sheet_gap, {}};
   sheet.bgra.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) * 4, 255);
   const auto place = [&](int i) {
-    return std::array{gap + (i % across) * (width + gap), gap + (i / across) * (cell + gap)};
+    return std::array{sheet_gap + (i % across) * (width + sheet_gap), sheet_gap + (i / across) * (cell + sheet_gap)};
   };
   for (int i = 0; i < count; ++i) copy_into(sheet, panels[static_cast<std::size_t>(i)].image, place(i)[0], place(i)[1]);
   const std::unique_ptr<cairo_surface_t, CairoCloser> surface(cairo_image_surface_create_for_data(

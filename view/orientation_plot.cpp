@@ -12,7 +12,6 @@ namespace {
 
 using geometry::Vec2;
 
-constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 constexpr double least_step_mm = 1e-6;
 
 struct Rates {

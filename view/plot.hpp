@@ -1,6 +1,7 @@
 // Line plots as SVG: panels one above the other with a common x axis.
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "geometry/vector.hpp"
 
 namespace volute::view {
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 struct PlotSeries {
   std::string name;

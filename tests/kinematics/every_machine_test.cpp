@@ -11,7 +11,7 @@ namespace {
 using testing::angle_between;
 using testing::Random;
 
-constexpr double tool_length_mm = 137.5;
+constexpr double example_length_mm = 137.5;
 
 class EveryMachine : public ::testing::TestWithParam<std::string> {
  protected:
@@ -28,9 +28,9 @@ class EveryMachine : public ::testing::TestWithParam<std::string> {
 
   /// Every branch leads back to the pose. Returns the number of branches.
   std::size_t expect_round_trip(const ToolPose& pose) {
-    const std::vector<AxisVector> solutions = solve(machine, setup, tool_length_mm, pose);
+    const std::vector<AxisVector> solutions = solve(machine, setup, example_length_mm, pose);
     for (const AxisVector& q : solutions) {
-      const ToolPose reached = tool_pose(machine, setup, tool_length_mm, q);
+      const ToolPose reached = tool_pose(machine, setup, example_length_mm, q);
       tip_error_mm = std::max(tip_error_mm, (reached.tip_P_mm - pose.tip_P_mm).norm());
       axis_error_rad = std::max(axis_error_rad, angle_between(reached.axis_P, pose.axis_P));
     }
@@ -84,7 +84,7 @@ TEST_P(EveryMachine, TheFreeAxisTurnsFreelyAtThePole) {
     AxisVector q = AxisVector::Zero();
     q[3] = third_first ? turn : solutions[0].first_rad;
     q[4] = third_first ? solutions[0].second_rad : turn;
-    EXPECT_LT(angle_between(forward(machine, tool_length_mm, q).linear().col(2), pole_M()), 1e-12) << turn;
+    EXPECT_LT(angle_between(forward(machine, example_length_mm, q).linear().col(2), pole_M()), 1e-12) << turn;
   }
 }
 
@@ -94,7 +94,7 @@ TEST_P(EveryMachine, InverseOfForwardHoldsTheStartingPositions) {
     const AxisVector q = random.positions(machine);
     double nearest = 1e9;
     for (const AxisVector& found :
-         solve(machine, setup, tool_length_mm, tool_pose(machine, setup, tool_length_mm, q))) {
+         solve(machine, setup, example_length_mm, tool_pose(machine, setup, example_length_mm, q))) {
       const double first = std::remainder(found[3] - q[3], 2.0 * std::numbers::pi),
                    second = std::remainder(found[4] - q[4], 2.0 * std::numbers::pi);
       nearest =
@@ -110,11 +110,11 @@ TEST_P(EveryMachine, JacobianIsTheDerivativeOfForward) {
   constexpr double step = 1e-5;
   for (int k = 0; k < cases(500); ++k) {
     const AxisVector q = random.positions(machine);
-    const Jacobian columns = jacobian(machine, tool_length_mm, q);
+    const Jacobian columns = jacobian(machine, example_length_mm, q);
     for (int i = 0; i < axis_count; ++i) {
       const AxisVector change = step * AxisVector::Unit(i);
-      const Transform less = forward(machine, tool_length_mm, q - change),
-                      more = forward(machine, tool_length_mm, q + change);
+      const Transform less = forward(machine, example_length_mm, q - change),
+                      more = forward(machine, example_length_mm, q + change);
       const Vec3 tip = (more.translation() - less.translation()) / (2.0 * step);
       const Eigen::AngleAxisd turn(more.linear() * less.linear().transpose());
       EXPECT_LT((columns.col(i).head<3>() - tip).norm(), 1e-4) << machine.axes[static_cast<std::size_t>(i)].letter;
@@ -125,8 +125,8 @@ TEST_P(EveryMachine, JacobianIsTheDerivativeOfForward) {
 }
 
 TEST_P(EveryMachine, ProgramZeroPutsTheTipOnThePartOrigin) {
-  const AxisVector zero = program_zero(machine, setup, tool_length_mm);
-  EXPECT_LT(tool_pose(machine, setup, tool_length_mm, zero).tip_P_mm.norm(), 1e-9);
+  const AxisVector zero = program_zero(machine, setup, example_length_mm);
+  EXPECT_LT(tool_pose(machine, setup, example_length_mm, zero).tip_P_mm.norm(), 1e-9);
   EXPECT_EQ(zero[3], 0.0);
   EXPECT_EQ(zero[4], 0.0);
 }
@@ -134,8 +134,8 @@ TEST_P(EveryMachine, ProgramZeroPutsTheTipOnThePartOrigin) {
 TEST_P(EveryMachine, PositiveLinearAxesMoveTheToolInThePositiveDirection) {
   // ISO 841: the direction is that of the tool relative to the workpiece, whichever of them moves.
   for (int i = 0; i < 3; ++i) {
-    const Vec3 moved = forward(machine, tool_length_mm, AxisVector::Unit(i)).translation() -
-                       forward(machine, tool_length_mm, AxisVector::Zero()).translation();
+    const Vec3 moved = forward(machine, example_length_mm, AxisVector::Unit(i)).translation() -
+                       forward(machine, example_length_mm, AxisVector::Zero()).translation();
     EXPECT_LT((moved - Vec3::Unit(i)).norm(), 1e-12) << machine.axes[static_cast<std::size_t>(i)].letter;
   }
 }
@@ -149,8 +149,8 @@ TEST_P(EveryMachine, LinksKeepTheirPlaceToEachOther) {
   AxisVector stand = AxisVector::Zero();
   for (int i = 0; i < axis_count; ++i) stand[i] = machine.axes[static_cast<std::size_t>(i)].zero;
   if (machine.table_axes < axis_count) {
-    EXPECT_LT((link_motion(machine, last, q).matrix() * forward(machine, tool_length_mm, stand).matrix() -
-               forward(machine, tool_length_mm, q).matrix())
+    EXPECT_LT((link_motion(machine, last, q).matrix() * forward(machine, example_length_mm, stand).matrix() -
+               forward(machine, example_length_mm, q).matrix())
                   .norm(),
               1e-9);
   }

@@ -21,15 +21,9 @@ inline std::vector<std::string> example_names() {
 
 /// The examples' own machine under every control.
 inline std::vector<std::string> example_profiles() {
-  return {"ac-head-linuxcnc",      "ac-head-linuxcnc-tcp",       "ac-head-fanuc",   "ac-head-fanuc-vector",
-          "ac-head-siemens",       "ac-head-siemens-vector",     "ac-head-heidenhain", "ac-head-heidenhain-vector",
-          "ac-head-haas",          "ac-head-mazak",              "ac-head-g93"};
-}
-
-/// A name that GoogleTest takes.
-inline std::string identifier(std::string name) {
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return {"ac-head-linuxcnc", "ac-head-linuxcnc-tcp",   "ac-head-fanuc",      "ac-head-fanuc-vector",
+          "ac-head-siemens",  "ac-head-siemens-vector", "ac-head-heidenhain", "ac-head-heidenhain-vector",
+          "ac-head-haas",     "ac-head-mazak",          "ac-head-g93"};
 }
 
 inline PostRequest example_request(const std::string& example) {

@@ -94,18 +94,8 @@ TEST_P(EveryProfile, IsThePureFunctionOfItsRequest) {
   EXPECT_EQ(posted(request, profile).text, posted(request, profile).text);
 }
 
-std::vector<std::string> all_profiles() {
-  std::vector<std::string> names;
-  const auto listed = kinematics::list_profiles(std::filesystem::path(VOLUTE_SOURCE_DIR) / "machines");
-  for (const kinematics::ProfileName& name : *listed) names.push_back(name.name);
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Profiles, EveryProfile, ::testing::ValuesIn(all_profiles()), [](const auto& instance) {
-  std::string name = instance.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Profiles, EveryProfile, ::testing::ValuesIn(testing::all_profiles()),
+                         [](const auto& instance) { return testing::identifier(instance.param); });
 
 TEST(Program, RotariesTurnBeforeTcpAndTheTopComesAfterIt) {
   const std::string text =

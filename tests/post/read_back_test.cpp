@@ -208,14 +208,7 @@ TEST_P(ReadBack, TenPointsInsideEveryBlockStandOnTheToolPath) {
   expect_ten_points_inside_every_block_on_the_path(posted_for(GetParam()));
 }
 
-std::vector<std::string> all_profiles() {
-  std::vector<std::string> names;
-  const auto listed = kinematics::list_profiles(std::filesystem::path(VOLUTE_SOURCE_DIR) / "machines");
-  for (const kinematics::ProfileName& name : *listed) names.push_back(name.name);
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Profiles, ReadBack, ::testing::ValuesIn(all_profiles()),
+INSTANTIATE_TEST_SUITE_P(Profiles, ReadBack, ::testing::ValuesIn(testing::all_profiles()),
                          [](const auto& instance) { return testing::identifier(instance.param); });
 
 // The same for the examples' own paths, in every dialect.

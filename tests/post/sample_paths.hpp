@@ -1,6 +1,7 @@
 // Small tool paths with known geometry.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -86,6 +87,20 @@ inline PostRequest request_for(kinematics::ToolPath path) {
   request.tool.gauge_length_mm = 120.0;
   request.spindle_rpm = 12000.0;
   return request;
+}
+
+/// Every machine with every control that is meant for it.
+inline std::vector<std::string> all_profiles() {
+  std::vector<std::string> names;
+  const auto listed = kinematics::list_profiles(std::filesystem::path(VOLUTE_SOURCE_DIR) / "machines");
+  for (const kinematics::ProfileName& name : *listed) names.push_back(name.name);
+  return names;
+}
+
+/// A name that GoogleTest takes.
+inline std::string identifier(std::string name) {
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
 }
 
 inline kinematics::Profile profile_named(const std::string& name) {
