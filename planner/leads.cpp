@@ -28,6 +28,10 @@ Vec3 tangent_away(const ToolPathPoint& at, const ToolPathPoint& next) {
   return t.norm() > 1e-9 ? Vec3(t.normalized()) : at.normal_P.unitOrthogonal();
 }
 
+ToolPathPoint with_offset(const ToolPathPoint& at, const Vec3& offset, MoveKind move, double feed_mm_s) {
+  return {{at.pose.tip_P_mm + offset, at.pose.axis_P}, move, feed_mm_s, at.contact_P_mm, at.normal_P, at.turn};
+}
+
 }  // namespace
 
 double highest_point_mm(const Scene& scene) {
@@ -45,15 +49,27 @@ double highest_point_mm(const Scene& scene) {
   return z;
 }
 
-Leads::Leads(const kinematics::Tool& tool, const Interference& interference, const ProcessOptions& process,
-             double clearance_z_mm)
+Scene rapid_scene(const Scene& scene, const std::optional<geometry::TriangleMesh>& stock_P, double safe_distance_mm) {
+  Scene rapid;
+  rapid.obstacles.push_back(scene.part);
+  rapid.obstacles.insert(rapid.obstacles.end(), scene.obstacles.begin(), scene.obstacles.end());
+  if (stock_P) rapid.obstacles.push_back(*stock_P);
+  rapid.fixtures = scene.fixtures;
+  rapid.clearance_mm = safe_distance_mm;
+  return rapid;
+}
+
+Leads::Leads(const kinematics::Tool& tool, const Interference& interference, const Interference& beyond_safe_distance,
+             const ProcessOptions& process, double clearance_z_mm)
     : tool_(&tool),
       interference_(&interference),
+      beyond_safe_distance_(&beyond_safe_distance),
       process_(&process),
       clearance_z_mm_(clearance_z_mm),
       radius_mm_(process.lead_radius_mm > 0.0 ? process.lead_radius_mm : tool.cutter.radius_mm) {
   VOLUTE_CHECK(process.ramp_angle.radians() > 0.0 && process.ramp_angle.radians() < 0.5 * std::numbers::pi,
                process.ramp_angle.radians());
+  VOLUTE_CHECK(process.safe_distance_mm > 0.0, process.safe_distance_mm);
 }
 
 /// The shape asked for, smaller by halves, to both sides; then the other shape; then straight along the normal and
@@ -68,15 +84,17 @@ std::vector<Leads::Lead> Leads::lead_shapes(const ToolPathPoint& point, const Ve
     return lead;
   };
   const double run = 1.0 / std::tan(process_->ramp_angle.radians());
-  const auto ramp = [&](double height, double side) { return Lead{{height * (side * run * away + point.normal_P)}}; };
+  const auto ramp = [&](double height, double side) {
+    return Lead{{height * (side * run * away + point.normal_P)}, {}};
+  };
   std::vector<Lead> shapes;
   const bool ramp_first = process_->lead_shape == LeadShape::ramp;
   for (const bool as_ramp : {ramp_first, !ramp_first})
     for (const double share : {1.0, 0.5, 0.25})
       for (const double side : {1.0, -1.0})
         shapes.push_back(as_ramp ? ramp(share * radius_mm_, side) : arc(share * radius_mm_, side));
-  shapes.push_back({{radius_mm_ * point.normal_P}});
-  shapes.push_back({{radius_mm_ * point.pose.axis_P}});
+  shapes.push_back({{radius_mm_ * point.normal_P}, {}});
+  shapes.push_back({{radius_mm_ * point.pose.axis_P}, {}});
   return shapes;
 }
 
@@ -132,7 +150,7 @@ std::optional<Leads::Lead> Leads::free_lead(const ToolPathPoint& point, const Ve
     if (!free) continue;
     const std::vector<Vec3> up = way_up(pose, tip_counts);
     if (up.empty()) continue;
-    for (const Vec3& p : up) shape.offsets_mm.push_back(p - point.pose.tip_P_mm);
+    for (const Vec3& p : up) shape.way_up_mm.push_back(p - point.pose.tip_P_mm);
     return shape;
   }
   return std::nullopt;
@@ -152,24 +170,60 @@ geometry::Result<ToolPath> Leads::with_leads(const ToolPath& piece, int piece_nu
                             geometry::short_text(p.y()) + ", " + geometry::short_text(p.z()) +
                             ") is free; lower lead_radius_mm, or start elsewhere");
   }
-  const double feed = process_->approach_feed_mm_s > 0.0 ? process_->approach_feed_mm_s : process_->feed_mm_s;
   ToolPath path;
-  const auto add = [&](const ToolPathPoint& at, const Vec3& offset, MoveKind move, double feed_mm_s) {
-    path.points.push_back(
-        {{at.pose.tip_P_mm + offset, at.pose.axis_P}, move, feed_mm_s, at.contact_P_mm, at.normal_P, at.turn});
-  };
-  // The highest point and the one above the lead are reached in rapid, the lead itself at feed.
-  const std::size_t in = lead_in->offsets_mm.size();
-  for (std::size_t k = in; k-- > 0;)
-    add(first, lead_in->offsets_mm[k], k + 1 == in ? MoveKind::rapid : MoveKind::approach, k + 1 == in ? 0.0 : feed);
+  come_in(first, *lead_in, path);
+  const std::size_t in = path.points.size();
   path.points.insert(path.points.end(), piece.points.begin(), piece.points.end());
   path.points[in].move = MoveKind::approach;
-  path.points[in].feed_mm_s = feed;
-  const std::size_t out = lead_out->offsets_mm.size();
-  for (std::size_t k = 0; k < out; ++k)
-    add(last, lead_out->offsets_mm[k], k + 1 == out ? MoveKind::rapid : MoveKind::retract,
-        k + 1 == out ? 0.0 : process_->feed_mm_s);
+  path.points[in].feed_mm_s = approach_feed_mm_s();
+  go_out(last, *lead_out, path);
   return path;
+}
+
+double Leads::approach_feed_mm_s() const {
+  return process_->approach_feed_mm_s > 0.0 ? process_->approach_feed_mm_s : process_->feed_mm_s;
+}
+
+/// How much of the straight way can be made in rapid: up to where the assembly comes nearer than the safe distance. A
+/// step is no longer than that distance, so nothing is met between two places that keep it.
+double Leads::rapid_share(const ToolPose& from, const Vec3& to_P_mm) const {
+  const Vec3 way = to_P_mm - from.tip_P_mm;
+  const int steps =
+      std::max(1, static_cast<int>(std::ceil(way.norm() / std::min(check_step_mm, process_->safe_distance_mm))));
+  for (int k = 0; k <= steps; ++k)
+    if (!beyond_safe_distance_->is_free({from.tip_P_mm + (static_cast<double>(k) / steps) * way, from.axis_P}))
+      return static_cast<double>(std::max(0, k - 1)) / steps;
+  return 1.0;
+}
+
+/// The highest point and the way down to the safe distance in rapid, the rest of it and the lead at feed.
+void Leads::come_in(const ToolPathPoint& first, const Lead& lead, ToolPath& path) const {
+  const auto add = [&](const Vec3& offset, MoveKind move) {
+    path.points.push_back(with_offset(first, offset, move, move == MoveKind::rapid ? 0.0 : approach_feed_mm_s()));
+  };
+  std::vector<Vec3> down(lead.way_up_mm.rbegin(), lead.way_up_mm.rend());
+  down.push_back(lead.offsets_mm.back());
+  add(down.front(), MoveKind::rapid);
+  bool rapid = true;
+  for (std::size_t k = 1; k < down.size(); ++k) {
+    const Vec3 &from = down[k - 1], &to = down[k];
+    const double share =
+        rapid ? rapid_share({first.pose.tip_P_mm + from, first.pose.axis_P}, first.pose.tip_P_mm + to) : 0.0;
+    if (share > 0.0) add(from + share * (to - from), MoveKind::rapid);
+    rapid = share == 1.0;
+    if (!rapid) add(to, MoveKind::approach);
+  }
+  for (std::size_t k = lead.offsets_mm.size() - 1; k-- > 0;) add(lead.offsets_mm[k], MoveKind::approach);
+}
+
+/// The lead and a way aside at feed, up in rapid.
+void Leads::go_out(const ToolPathPoint& last, const Lead& lead, ToolPath& path) const {
+  const auto retract = [&](const Vec3& offset) {
+    path.points.push_back(with_offset(last, offset, MoveKind::retract, process_->feed_mm_s));
+  };
+  for (const Vec3& offset : lead.offsets_mm) retract(offset);
+  for (std::size_t k = 0; k + 1 < lead.way_up_mm.size(); ++k) retract(lead.way_up_mm[k]);
+  path.points.push_back(with_offset(last, lead.way_up_mm.back(), MoveKind::rapid, 0.0));
 }
 
 void Leads::append(ToolPath& whole, const ToolPath& piece) const {

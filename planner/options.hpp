@@ -68,6 +68,7 @@ struct ProcessOptions {
   double approach_feed_mm_s = 0.0;  ///< 0: as feed
   double spindle_rad_s = 0.0;
   double clearance_height_mm = 20.0;  ///< rapids run this far above the highest point of part and obstacles
+  double safe_distance_mm = 3.0;      ///< rapids down end where the tool comes this near to part, stock or obstacles
   double lead_radius_mm = 0.0;        ///< of the tangent arc that enters and leaves, height of a ramp; 0: cutter radius
   LeadShape lead_shape = LeadShape::arc;
   Angle ramp_angle = Angle::degrees(15.0);  ///< of a ramp to the surface

@@ -89,11 +89,15 @@ Result<std::vector<OrientedPath>> orient_pieces(const PlanRequest& request, cons
 Result<void> join_pieces(const PlanRequest& request, const Interference& interference,
                          const std::vector<OrientedPath>& pieces, PlanResult& result) {
   const Stage stage(request, result, "leads");
-  Scene everything = request.scene;
-  const double clearance_z_mm =
-      std::max(highest_point_mm(everything), highest_point_mm(Scene{request.surface, {}, {}, {}})) +
+  double clearance_z_mm =
+      std::max(highest_point_mm(request.scene), highest_point_mm(Scene{request.surface, {}, {}, {}})) +
       request.process.clearance_height_mm;
-  const Leads leads(request.tool, interference, request.process, clearance_z_mm);
+  const Scene rapids = rapid_scene(request.scene, request.stock_P, request.process.safe_distance_mm);
+  if (request.stock_P)
+    clearance_z_mm = std::max(clearance_z_mm,
+                              highest_point_mm(Scene{*request.stock_P, {}, {}, {}}) + request.process.safe_distance_mm);
+  const Interference beyond_safe_distance(rapids, request.tool, nullptr, nullptr);
+  const Leads leads(request.tool, interference, beyond_safe_distance, request.process, clearance_z_mm);
   int number = 0;
   for (const OrientedPath& piece : pieces) {
     const auto whole = leads.with_leads(piece.tool_path, ++number);

@@ -16,7 +16,8 @@ namespace volute::planner {
 struct PlanRequest {
   geometry::TriangleMesh surface;  ///< from geometry::machinable_surface
   kinematics::Tool tool;
-  Scene scene;  ///< scene.part is normally the surface
+  Scene scene;                                    ///< scene.part is normally the surface
+  std::optional<geometry::TriangleMesh> stock_P;  ///< a closed mesh that rapids keep the safe distance from
   PathOptions path;
   OrientationOptions orientation;
   ProcessOptions process;

@@ -53,4 +53,17 @@ geometry::Result<Stock> make_stock(const StockSetup& setup) {
   return Stock::box(box.min(), box.max(), grid_mm);
 }
 
+geometry::TriangleMesh blank_mesh(const StockSetup& setup) {
+  if (setup.solid_P) return *setup.solid_P;
+  geometry::TriangleMesh box;
+  for (const auto corner :
+       {Eigen::AlignedBox3d::BottomLeftFloor, Eigen::AlignedBox3d::BottomRightFloor, Eigen::AlignedBox3d::TopLeftFloor,
+        Eigen::AlignedBox3d::TopRightFloor, Eigen::AlignedBox3d::BottomLeftCeil, Eigen::AlignedBox3d::BottomRightCeil,
+        Eigen::AlignedBox3d::TopLeftCeil, Eigen::AlignedBox3d::TopRightCeil})
+    box.vertices_mm.push_back(setup.box_P_mm.corner(corner));
+  box.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                   {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return box;
+}
+
 }  // namespace volute::sim

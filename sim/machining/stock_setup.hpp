@@ -20,6 +20,9 @@ StockSetup assumed_stock(const geometry::TriangleMesh& surface_P, double allowan
 /// A two-hundredth of the longest side: coarse enough for a default, fine enough for holders.
 double default_stock_grid_mm(const StockSetup& setup);
 
+/// The blank before the run, closed: the solid, or the box as twelve triangles.
+geometry::TriangleMesh blank_mesh(const StockSetup& setup);
+
 /// Errors (bad_input): stock-box-empty, stock-grid-too-fine (more than 60 million rays), and those of Stock::solid.
 geometry::Result<Stock> make_stock(const StockSetup& setup);
 

@@ -21,6 +21,7 @@ struct FlatCut {
   kinematics::Tool tool = testing::ball_tool();
   ProcessOptions process;
   double tilt_rad = 0.0;
+  std::optional<geometry::TriangleMesh> stock_P;
 
   FlatCut() {
     scene.part = testing::sheet(-40, 40, -20, 20, 2.0, [](double, double) { return 0.0; });
@@ -42,7 +43,8 @@ struct FlatCut {
   }
   [[nodiscard]] geometry::Result<ToolPath> planned() const {
     const Interference interference(scene, tool, nullptr, nullptr);
-    return Leads(tool, interference, process, clearance_z_mm).with_leads(cut(), 7);
+    const Interference beyond(rapid_scene(scene, stock_P, process.safe_distance_mm), tool, nullptr, nullptr);
+    return Leads(tool, interference, beyond, process, clearance_z_mm).with_leads(cut(), 7);
   }
 };
 
@@ -133,6 +135,61 @@ TEST(Leads, StandAboveTheClearanceHeightWithTheWholeAssembly) {
   }
 }
 
+/// The rapids before the first move at feed.
+std::vector<ToolPathPoint> first_rapids(const ToolPath& path) {
+  std::vector<ToolPathPoint> rapids;
+  for (const ToolPathPoint& point : path.points) {
+    if (point.move != MoveKind::rapid) break;
+    rapids.push_back(point);
+  }
+  return rapids;
+}
+
+TEST(Leads, TheRapidDownEndsAtTheSafeDistance) {
+  for (const double degrees : {0.0, 30.0, 60.0})
+    for (const double safe_mm : {0.2, 5.0, 9.0}) {
+      FlatCut job;
+      job.tilt_rad = degrees * std::numbers::pi / 180.0;
+      job.process.safe_distance_mm = safe_mm;
+      const auto path = job.planned();
+      ASSERT_TRUE(path) << path.error().message;
+      const auto rapids = first_rapids(*path);
+      ASSERT_GE(rapids.size(), 2U) << degrees << " deg, " << safe_mm;
+      for (std::size_t i = 1; i < rapids.size(); ++i)
+        for (double t = 0.0; t <= 1.0; t += 0.01) {
+          kinematics::ToolPose pose = rapids[i].pose;
+          pose.tip_P_mm = (1.0 - t) * rapids[i - 1].pose.tip_P_mm + t * pose.tip_P_mm;
+          EXPECT_GE(lowest_z_mm(job.tool, pose), safe_mm - 1e-9) << degrees << " deg, " << t;
+        }
+      // Not higher than a step of the search above where the grown tool ends: its rim stands out by the distance along
+      // the axis and across it. Never below the lead's beginning.
+      const double end_mm = lowest_z_mm(job.tool, rapids.back().pose);
+      const double grown_mm = safe_mm * (std::cos(job.tilt_rad) + std::sin(job.tilt_rad));
+      EXPECT_LE(end_mm, std::max(grown_mm, lead_radius_mm) + 0.5 + 0.02 * safe_mm) << degrees << " deg";
+      EXPECT_EQ(path->points[rapids.size()].move, MoveKind::approach);
+    }
+}
+
+TEST(Leads, RapidsKeepOutOfTheStock) {
+  FlatCut job;
+  const double without_mm = lowest_z_mm(job.tool, first_rapids(*job.planned()).back().pose);
+  EXPECT_LT(without_mm, lead_radius_mm + 1e-9) << "down to the lead itself, which begins above the safe distance";
+  job.stock_P = testing::box(Vec3(-41, -21, -1), Vec3(41, 21, 12));
+  const auto path = job.planned();
+  ASSERT_TRUE(path) << path.error().message;
+  const double end_mm = lowest_z_mm(job.tool, first_rapids(*path).back().pose);
+  EXPECT_GE(end_mm, 12.0 + job.process.safe_distance_mm - 1e-9);
+  EXPECT_LE(end_mm, 12.0 + job.process.safe_distance_mm + 0.7);
+}
+
+TEST(Leads, WithoutRoomForARapidDownTheToolComesAtFeed) {
+  FlatCut job;
+  job.process.safe_distance_mm = clearance_z_mm + 1.0;
+  const auto path = job.planned();
+  ASSERT_TRUE(path) << path.error().message;
+  EXPECT_EQ(first_rapids(*path).size(), 1U) << "the place at clearance height alone";
+}
+
 TEST(Leads, AnObstacleInTheArcsWayTurnsOrShortensIt) {
   FlatCut job;
   // Behind the first point: a wall where the arc with its cutter of radius 3 would pass.
@@ -180,7 +237,8 @@ TEST(Leads, RapidsBetweenPiecesStayAboveTheClearanceWhileTheAxisTurns) {
   one.tilt_rad = 0.9;
   other.tilt_rad = -0.9;
   const Interference interference(one.scene, one.tool, nullptr, nullptr);
-  const Leads leads(one.tool, interference, one.process, clearance_z_mm);
+  const Interference beyond(rapid_scene(one.scene, {}, one.process.safe_distance_mm), one.tool, nullptr, nullptr);
+  const Leads leads(one.tool, interference, beyond, one.process, clearance_z_mm);
   ToolPath whole;
   leads.append(whole, leads.with_leads(one.cut(), 1).value());
   const std::size_t first = whole.points.size();
