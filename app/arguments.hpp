@@ -32,9 +32,11 @@ struct PostArguments {
 };
 struct SimulateArguments {
   path program;
-  std::string machine;
-  path part;           ///< empty: no cut surface
-  std::string cutter;  ///< "ball,3"; empty: no cut surface, no collisions
+  std::string machine;          ///< empty: the job's
+  path job;                     ///< part, tool and holder, obstacles, fixtures, stock, setup; empty: those below
+  path part;                    ///< empty: no cut surface
+  std::vector<path> obstacles;  ///< and these besides the job's
+  std::string cutter;           ///< "ball,3"; empty: no cut surface, no collisions
   std::string setup;
   double tool_length_mm = 100.0;
   double scallop_mm = 0.1;  ///< higher than this counts as uncut

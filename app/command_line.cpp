@@ -89,20 +89,29 @@ void add_program_commands(CLI::App& app, Places& places) {
   SimulateArguments& simulate_places = places.simulate;
   CLI::App* simulate = add_command(app, places.common, "simulate", "Anybody's program on the virtual machine");
   simulate->add_option("FILE", simulate_places.program, "The program")->required();
-  simulate->add_option("--machine", simulate_places.machine, "Profile name or path")->required();
-  simulate->add_option("--part", simulate_places.part, "Design surface: what is left on it, what touches it");
-  simulate->add_option("--cutter", simulate_places.cutter, "ball,3  flat,5  bull,6,1  (radius, corner radius in mm)");
-  simulate->add_option("--setup", simulate_places.setup, "Part origin in the machine: x,y,z in mm (default 0,0,0)");
-  simulate->add_option("--tool-length", simulate_places.tool_length_mm, "Tip to gauge line in mm")
-      ->check(CLI::PositiveNumber);
-  simulate
-      ->add_option("--scallop", simulate_places.scallop_mm,
-                   "Material higher than this above the surface is uncut, in mm")
-      ->check(CLI::PositiveNumber);
+  simulate->add_option("--machine", simulate_places.machine, "Profile name or path (with --job: instead of the job's)");
+  CLI::Option* job = simulate->add_option("--job", simulate_places.job,
+                                          "Job file: its part, tool with holder, obstacles, fixtures, stock, setup and "
+                                          "limits, for a program of any origin");
+  const auto alone = [&](CLI::Option* option) { option->excludes(job); };
+  alone(simulate->add_option("--part", simulate_places.part, "Design surface: what is left on it, what touches it"));
+  alone(simulate->add_option("--cutter", simulate_places.cutter,
+                             "ball,3  flat,5  bull,6,1  (radius, corner radius in mm)"));
+  alone(simulate->add_option("--setup", simulate_places.setup,
+                             "Part origin in the machine: x,y,z in mm (default 0,0,0)"));
+  alone(simulate->add_option("--tool-length", simulate_places.tool_length_mm, "Tip to gauge line in mm")
+            ->check(CLI::PositiveNumber));
+  alone(simulate
+            ->add_option("--scallop", simulate_places.scallop_mm,
+                         "Material higher than this above the surface is uncut, in mm")
+            ->check(CLI::PositiveNumber));
+  simulate->add_option("--obstacle", simulate_places.obstacles,
+                       "A mesh that nothing may touch: a clamp, a vice; in the part's frame, once for each");
   simulate->add_option("--compare", simulate_places.compare, "A second program to set beside the first");
   simulate->add_option("--out", simulate_places.out, "Folder for report.json, report.html, trace.csv and pictures");
   simulate->footer(
-      "Example: volute simulate theirs.nc --machine ac-head-fanuc --part part.stl --cutter ball,3 --out theirs");
+      "Examples: volute simulate theirs.nc --machine ac-head-fanuc --part part.stl --cutter ball,3 --out theirs\n"
+      "          volute simulate theirs.nc --job mouse.toml --obstacle clamp.stl");
 }
 
 void add_other_commands(CLI::App& app, Places& places) {

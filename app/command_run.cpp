@@ -47,6 +47,7 @@ Json full_report(const JobInputs& inputs, const planner::PlanResult& plan, const
   const Json judged = verify_json(verified, inputs.profile, plan.orientation.interferences_after);
   for (const char* key : {"run", "machining", "stock", "collision", "loads", "findings", "warnings"})
     if (judged.contains(key)) report[key] = judged[key];
+  put_machining_feed(report, plan.tool_path, verified);
   report["timing"] = planned["timing"];
   report["timing"].update(judged["timing"]);
   return report;

@@ -23,12 +23,7 @@ using geometry::Result;
 
 /// What both programs of a comparison share.
 struct Bench {
-  kinematics::Profile profile;
-  kinematics::Setup setup;
-  kinematics::Tool tool;
-  bool cutter_known = false;
-  std::optional<geometry::TriangleMesh> surface;
-  double scallop_mm = 0.1;
+  sim::VerifyRequest request;  ///< but for the program
 };
 
 struct Simulated {
@@ -37,29 +32,50 @@ struct Simulated {
   Json report;
 };
 
-Result<Bench> set_up(const SimulateArguments& arguments, Context& context) {
-  Bench bench;
+/// From a job: part, tool with holder, obstacles, fixtures, stock, setup and limits.
+Result<JobInputs> inputs_of_job(const SimulateArguments& arguments, const Context& context) {
+  return load_inputs(arguments.job, context, SurfaceUse::judged, arguments.machine);
+}
+
+/// From words on the command line: no holder, no stock but an assumed one.
+Result<JobInputs> inputs_of_words(const SimulateArguments& arguments, const Context& context) {
+  JobInputs inputs;
   auto profile = kinematics::load_profile(context.machines_folder(), arguments.machine);
   if (!profile) return tl::unexpected(profile.error());
-  bench.profile = std::move(*profile);
+  inputs.profile = std::move(*profile);
   const auto setup = parse_setup(arguments.setup);
   if (!setup) return tl::unexpected(setup.error());
-  bench.setup = *setup;
-  bench.scallop_mm = arguments.scallop_mm;
-  bench.tool.gauge_length_mm = arguments.tool_length_mm;
+  inputs.job.setup = *setup;
+  kinematics::Tool& tool = inputs.job.tool;
+  tool.gauge_length_mm = arguments.tool_length_mm;
   if (!arguments.cutter.empty()) {
     const auto cutter = kinematics::parse_cutter(arguments.cutter);
     if (!cutter) return tl::unexpected(cutter.error());
-    bench.tool.cutter = *cutter;
-    bench.tool.shank_radius_mm = cutter->radius_mm;
-    bench.tool.stick_out_mm = std::max(bench.tool.stick_out_mm, cutter->length_mm);
-    bench.cutter_known = true;
+    tool.cutter = *cutter;
+    tool.shank_radius_mm = cutter->radius_mm;
+    tool.stick_out_mm = std::max(tool.stick_out_mm, cutter->length_mm);
   }
   if (!arguments.part.empty()) {
     auto loaded = geometry::load_mesh(arguments.part);
     if (!loaded) return tl::unexpected(loaded.error());
-    context.warn(loaded->repairs.warnings);
-    bench.surface = std::move(loaded->mesh);
+    inputs.warnings = loaded->repairs.warnings;
+    inputs.surface = std::move(loaded->mesh);
+  }
+  return inputs;
+}
+
+Result<Bench> set_up(const SimulateArguments& arguments, Context& context) {
+  auto inputs = arguments.job.empty() ? inputs_of_words(arguments, context) : inputs_of_job(arguments, context);
+  if (!inputs) return tl::unexpected(inputs.error());
+  for (const path& file : arguments.obstacles)
+    if (auto loaded = load_obstacle(file, *inputs); !loaded) return tl::unexpected(loaded.error());
+  context.warn(inputs->warnings);
+  const bool judged = !arguments.job.empty() || (!arguments.part.empty() && !arguments.cutter.empty());
+  Bench bench{verify_request(*inputs, judged)};
+  if (!judged) bench.request.surface_P.reset();
+  if (arguments.job.empty()) {
+    bench.request.cut = {};
+    bench.request.cut.uncut_limit_mm = arguments.scallop_mm;
   }
   return bench;
 }
@@ -67,40 +83,35 @@ Result<Bench> set_up(const SimulateArguments& arguments, Context& context) {
 Result<Simulated> simulate_one(const path& program, const Bench& bench, Context& context) {
   auto bytes = geometry::read_file(program);
   if (!bytes) return tl::unexpected(bytes.error());
-  sim::VerifyRequest request;
+  sim::VerifyRequest request = bench.request;
   request.text = std::move(*bytes);
   request.file_name = program.string();
-  request.profile = bench.profile;
-  request.setup = bench.setup;
-  request.tool = bench.tool;
-  if (bench.cutter_known && bench.surface) {
-    request.surface_P = bench.surface;
-    request.picture_vertices_max = picture_vertices_max;
-    request.stock = sim::assumed_stock(*bench.surface, StockJob().allowance_mm);
-  }
-  request.cut.uncut_limit_mm = bench.scallop_mm;
   request.progress = context.progress().callback();
   auto result = sim::verify(request);
   if (!result) return tl::unexpected(result.error());
   context.warn(texts(result->warnings));
+  const kinematics::Profile& profile = bench.request.profile;
   Simulated simulated{std::move(request.text), std::move(*result), {}};
   simulated.report["program"] = {{"file", program.filename().string()},
-                                 {"dialect", bench.profile.control.name},
-                                 {"profile", bench.profile.name},
+                                 {"dialect", profile.control.name},
+                                 {"profile", profile.name},
                                  {"blocks", simulated.result.run.blocks},
                                  {"bytes", simulated.text.size()}};
-  simulated.report.update(verify_json(simulated.result, bench.profile, 0));
+  simulated.report.update(verify_json(simulated.result, profile, 0));
   if (simulated.report.contains("collision")) simulated.report["collision"].erase("planner_hits");
   return simulated;
 }
 
 view::RunView view_of(const path& program, const Bench& bench, const Simulated& simulated) {
   view::RunView view;
-  view.title = program.filename().string() + " on " + bench.profile.name;
-  if (bench.surface) view.surface_P = *bench.surface;
-  view.tool = bench.tool;
-  view.setup = bench.setup;
-  view.profile = bench.profile;
+  const sim::VerifyRequest& request = bench.request;
+  view.title = program.filename().string() + " on " + request.profile.name;
+  if (request.surface_P) view.surface_P = *request.surface_P;
+  view.obstacles_P = request.obstacles_P;
+  view.obstacle_names = request.obstacle_names;
+  view.tool = request.tool;
+  view.setup = request.setup;
+  view.profile = request.profile;
   view.trace = simulated.result.trace;
   view.cut = simulated.result.cut;
   view.findings = simulated.result.findings;
@@ -150,6 +161,14 @@ std::string comparison_table(const Json& first, const Json& second) {
 }
 
 Result<int> simulate(const SimulateArguments& arguments, Context& context) {
+  if (arguments.machine.empty() && arguments.job.empty())
+    return geometry::bad_input("machine-missing",
+                               "--machine is missing: name the profile that the program is for (volute machines lists "
+                               "them), or give --job with a job file that names one");
+  if (!arguments.obstacles.empty() && arguments.job.empty() && arguments.cutter.empty())
+    return geometry::bad_input("cutter-missing",
+                               "--obstacle is given without --cutter or --job: say which tool is to keep clear of it, "
+                               "as in --cutter ball,3");
   if (!arguments.part.empty() && arguments.cutter.empty())
     return geometry::bad_input(
         "cutter-missing",

@@ -263,8 +263,8 @@ class JobReader {
   void read_process() {
     const toml::table& process = reader_.table(root(), "", "process");
     reader_.only_keys(process, "process",
-                      {"feed_mm_min", "approach_feed_mm_min", "spindle_rpm", "clearance_height_mm", "lead",
-                       "lead_radius_mm", "ramp_deg", "coolant"});
+                      {"feed_mm_min", "approach_feed_mm_min", "spindle_rpm", "clearance_height_mm", "safe_distance_mm",
+                       "lead", "lead_radius_mm", "ramp_deg", "coolant"});
     job_.process.feed_mm_s = reader_.positive(process, "process", "feed_mm_min") / seconds_per_minute;
     job_.process.approach_feed_mm_s =
         not_negative(process, "process", "approach_feed_mm_min", 0.0) / seconds_per_minute;
@@ -272,6 +272,8 @@ class JobReader {
     job_.process.spindle_rad_s = job_.spindle_rpm * full_turn_rad / seconds_per_minute;
     job_.process.clearance_height_mm =
         reader_.positive(process, "process", "clearance_height_mm", job_.process.clearance_height_mm);
+    job_.process.safe_distance_mm =
+        reader_.positive(process, "process", "safe_distance_mm", job_.process.safe_distance_mm);
     job_.process.lead_radius_mm = not_negative(process, "process", "lead_radius_mm", 0.0);
     job_.process.lead_shape = reader_.choice(process, "process", "lead", {"arc", "ramp"}, 0) == 0
                                   ? planner::LeadShape::arc

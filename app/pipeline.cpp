@@ -24,13 +24,8 @@ double decimal_step(int decimals) {
 }
 
 geometry::Result<void> load_obstacles(const std::vector<std::filesystem::path>& files, JobInputs& inputs) {
-  for (const std::filesystem::path& file : files) {
-    auto loaded = geometry::load_mesh(file, inputs.job.unit_mm);
-    if (!loaded) return tl::unexpected(loaded.error());
-    for (const std::string& warning : loaded->repairs.warnings) inputs.warnings.push_back(warning);
-    inputs.obstacles.push_back(std::move(loaded->mesh));
-    inputs.obstacle_names.push_back(file.stem().string());
-  }
+  for (const std::filesystem::path& file : files)
+    if (auto loaded = load_obstacle(file, inputs); !loaded) return loaded;
   return {};
 }
 
@@ -66,24 +61,39 @@ std::optional<sim::StockSetup> stock_setup(const JobInputs& inputs) {
 
 }  // namespace
 
-geometry::Result<JobInputs> load_inputs(const std::filesystem::path& job_file, const Context& context) {
+geometry::Result<void> load_obstacle(const std::filesystem::path& file, JobInputs& inputs) {
+  auto loaded = geometry::load_mesh(file, inputs.job.unit_mm);
+  if (!loaded) return tl::unexpected(loaded.error());
+  for (const std::string& warning : loaded->repairs.warnings) inputs.warnings.push_back(warning);
+  inputs.obstacles.push_back(std::move(loaded->mesh));
+  inputs.obstacle_names.push_back(file.stem().string());
+  return {};
+}
+
+geometry::Result<JobInputs> load_inputs(const std::filesystem::path& job_file, const Context& context, SurfaceUse use,
+                                        const std::string& profile_name) {
   auto job = load_job(job_file);
   if (!job) return tl::unexpected(job.error());
   JobInputs inputs;
   inputs.job = std::move(*job);
+  if (!profile_name.empty()) inputs.job.profile = profile_name;
   auto profile = kinematics::load_profile(context.machines_folder(), inputs.job.profile);
   if (!profile) return tl::unexpected(profile.error());
   inputs.profile = std::move(*profile);
   const auto loaded = geometry::load_mesh(inputs.job.surface_file, inputs.job.unit_mm);
   if (!loaded) return tl::unexpected(loaded.error());
   inputs.warnings = loaded->repairs.warnings;
-  auto surface = geometry::machinable_surface(*loaded, inputs.job.component);
-  if (!surface) {
-    geometry::Error error = surface.error();
-    error.message = inputs.job.surface_file.string() + ": " + error.message;
-    return tl::unexpected(error);
+  if (use == SurfaceUse::judged) {
+    inputs.surface = loaded->mesh;
+  } else {
+    auto surface = geometry::machinable_surface(*loaded, inputs.job.component);
+    if (!surface) {
+      geometry::Error error = surface.error();
+      error.message = inputs.job.surface_file.string() + ": " + error.message;
+      return tl::unexpected(error);
+    }
+    inputs.surface = std::move(*surface);
   }
-  inputs.surface = std::move(*surface);
   if (auto read = load_obstacles(inputs.job.obstacle_files, inputs); !read) return tl::unexpected(read.error());
   if (auto read = load_obstacles(inputs.job.fixture_files, inputs); !read) return tl::unexpected(read.error());
   if (!inputs.job.stock.solid_file.empty()) {
@@ -100,6 +110,7 @@ geometry::Result<planner::PlanResult> plan_job(const JobInputs& inputs, Progress
   request.surface = inputs.surface;
   request.tool = inputs.job.tool;
   request.scene = scene_of(inputs);
+  if (const auto stock = stock_setup(inputs)) request.stock_P = sim::blank_mesh(*stock);
   request.path = inputs.job.path;
   request.orientation = inputs.job.orientation;
   request.process = inputs.job.process;
@@ -121,12 +132,8 @@ geometry::Result<post::PostResult> post_job(const JobInputs& inputs, const plann
   return post::post(request, inputs.profile);
 }
 
-geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const planner::PlanResult&,
-                                               const post::PostResult& posted, Progress& progress, bool with_material) {
-  const kinematics::Control& control = inputs.profile.control;
+sim::VerifyRequest verify_request(const JobInputs& inputs, bool with_material) {
   sim::VerifyRequest request;
-  request.text = posted.text;
-  request.file_name = inputs.job.name + control.program_extension;
   request.profile = inputs.profile;
   request.setup = inputs.job.setup;
   request.tool = inputs.job.tool;
@@ -141,6 +148,19 @@ geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const pl
   if (inputs.job.path.from_turn || inputs.job.path.to_turn)
     request.cut.uncut_area_limit_mm2 = std::numeric_limits<double>::infinity();
   request.cut.gouge_limit_mm = inputs.job.gouge_tolerance_mm;
+  if (with_material) {
+    request.picture_vertices_max = picture_vertices_max;
+    request.stock = stock_setup(inputs);
+  }
+  return request;
+}
+
+geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const planner::PlanResult&,
+                                               const post::PostResult& posted, Progress& progress, bool with_material) {
+  const kinematics::Control& control = inputs.profile.control;
+  sim::VerifyRequest request = verify_request(inputs, with_material);
+  request.text = posted.text;
+  request.file_name = inputs.job.name + control.program_extension;
   request.expected_poses = cutting_poses(posted.axis_path);
   const double rotary_step_rad = geometry::Angle::degrees(decimal_step(control.rotary_decimals)).radians();
   const double arm_mm = control.tcp ? 0.0 : inputs.job.tool.gauge_length_mm + 1000.0;
@@ -149,10 +169,6 @@ geometry::Result<sim::VerifyResult> verify_job(const JobInputs& inputs, const pl
   request.expected_tolerance_rad = rounding_slack * (rotary_step_rad + decimal_step(control.vector_decimals)) +
                                    kinematics::AxisPathOptions().rotary_tolerance_rad;
   request.progress = progress.callback();
-  if (with_material) {
-    request.picture_vertices_max = picture_vertices_max;
-    request.stock = stock_setup(inputs);
-  }
   return sim::verify(request);
 }
 

@@ -32,7 +32,17 @@ struct JobInputs {
   std::vector<std::string> warnings;
 };
 
-geometry::Result<JobInputs> load_inputs(const std::filesystem::path& job_file, const Context& context);
+/// What the surface must be: to be planned on, or only to be judged (then any mesh will do).
+enum class SurfaceUse { planned, judged };
+
+/// `profile`: instead of the job's own, where it is not empty.
+geometry::Result<JobInputs> load_inputs(const std::filesystem::path& job_file, const Context& context,
+                                        SurfaceUse use = SurfaceUse::planned, const std::string& profile = "");
+/// One mesh more to keep clear of, named after its file.
+geometry::Result<void> load_obstacle(const std::filesystem::path& file, JobInputs& inputs);
+
+/// What the job says of a program's judgement: machine, tool, surface, obstacles, limits, and with material the stock.
+sim::VerifyRequest verify_request(const JobInputs& inputs, bool with_material);
 
 geometry::Result<planner::PlanResult> plan_job(const JobInputs& inputs, Progress& progress);
 geometry::Result<post::PostResult> post_job(const JobInputs& inputs, const planner::PlanResult& plan);

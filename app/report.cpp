@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "app/machining_feed.hpp"
+
 namespace volute::app {
 
 namespace {
@@ -240,6 +242,15 @@ Json without_seconds(Json report) {
   return report;
 }
 
+void put_machining_feed(Json& report, const kinematics::ToolPath& path, const sim::VerifyResult& verified) {
+  const auto feed = machining_feed(path, verified);
+  if (!feed) return;
+  Json& run = report["run"];
+  run["cutting_length_mm"] = feed->cutting_length_mm;
+  run["machining_feed_mm_min"] = feed->actual_mm_s * per_minute;
+  run["machining_feed_loss_percent"] = feed->loss_percent;
+}
+
 Json plan_json(const planner::PlanResult& plan) {
   return {{"surface", surface_json(plan.cc.surface)},
           {"path", path_json(plan.cc.report)},
@@ -249,6 +260,7 @@ Json plan_json(const planner::PlanResult& plan) {
 
 Json verify_json(const sim::VerifyResult& result, const kinematics::Profile& profile, int planner_hits) {
   Json json{{"run", run_json(result.run, profile.machine)}};
+  put_if(json["run"], "machining_time_s", result.machining_time_s);
   if (result.cut) json["machining"] = machining_json(*result.cut);
   if (result.stock) json["stock"] = stock_json(*result.stock);
   if (result.collision) json["collision"] = collision_json(*result.collision, planner_hits);

@@ -33,6 +33,9 @@ Json mesh_json(const geometry::MeshReport& report, const std::string& file);
 /// The report less the seconds of the computation (timing, solve_s): the same bytes every time, whatever the computer.
 Json without_seconds(Json report);
 
+/// run.cutting_length_mm, machining_feed_mm_min, machining_feed_loss_percent, where they are known.
+void put_machining_feed(Json& report, const kinematics::ToolPath& path, const sim::VerifyResult& verified);
+
 /// The parts that a plan knows: surface, path, orientation, timing.
 Json plan_json(const planner::PlanResult& plan);
 /// program, run, machining, stock, collision, loads, findings, warnings, timing.

@@ -59,6 +59,10 @@ std::string run_rows(const Json& run) {
   text += table_row("feed, programmed", number(run, "programmed_feed_mm_min", 1) + " mm/min");
   text += table_row("feed, actual", number(run, "actual_feed_mm_min", 1) + " mm/min (loss " +
                                         number(run, "feed_loss_percent", 2) + " %)");
+  if (run.contains("machining_feed_loss_percent"))
+    text += table_row("feed, whole machining", number(run, "machining_feed_mm_min", 1) + " mm/min (loss " +
+                                                   number(run, "machining_feed_loss_percent", 2) +
+                                                   " %: leads, linkings and rapids are time without length)");
   text += "\n  axis    velocity   acceleration        jerk   lag max   of limit\n";
   for (const auto& [letter, peaks] : run["axes"].items()) {
     const bool rotary = letter == "A" || letter == "B" || letter == "C";

@@ -50,6 +50,19 @@ void RunWatch::hand_over() {
   looking_.run([this] { look_at(seen_); });
 }
 
+void RunWatch::note_machining(std::span<const AxisSample> samples) {
+  for (const AxisSample& sample : samples) {
+    if (!sample.cutting) continue;
+    if (!machining_begin_s_) machining_begin_s_ = sample.time_s;
+    machining_end_s_ = sample.time_s;
+  }
+}
+
+std::optional<double> RunWatch::machining_time_s() const {
+  if (!machining_begin_s_) return std::nullopt;
+  return *machining_end_s_ - *machining_begin_s_;
+}
+
 void RunWatch::look_at(std::span<const AxisSample> samples) {
   poses_.resize(samples.size());
   const auto find_poses = [&] {
@@ -72,6 +85,7 @@ void RunWatch::look_at(std::span<const AxisSample> samples) {
                        [&] {
                          trace_.add(samples);
                          limit_peaks_.add(samples);
+                         note_machining(samples);
                        },
                        [&] {
                          find_poses();

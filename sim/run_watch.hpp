@@ -3,6 +3,7 @@
 
 #include <tbb/task_group.h>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,6 +52,8 @@ class RunWatch {
 
   std::vector<SweptPose> moves() { return moves_.finish(); }
   std::vector<MachineState> states() { return states_.finish(); }
+  /// From the first sample of a feed move with the spindle on to the last, rapids between them included; nothing: none.
+  [[nodiscard]] std::optional<double> machining_time_s() const;
   [[nodiscard]] const LimitPeaks& limit_peaks() const { return limit_peaks_; }
   [[nodiscard]] LoadsReport loads() const { return loads_.report(); }
   [[nodiscard]] std::vector<AxisSample> trace() const { return trace_.finish(); }
@@ -58,6 +61,7 @@ class RunWatch {
  private:
   void hand_over();
   void look_at(std::span<const AxisSample> samples);
+  void note_machining(std::span<const AxisSample> samples);
 
   ToolMotion motion_;
   PoseThinner moves_;
@@ -65,6 +69,7 @@ class RunWatch {
   LimitPeaks limit_peaks_;
   LoadsMeter loads_;
   TraceThinner trace_;
+  std::optional<double> machining_begin_s_, machining_end_s_;
   std::vector<AxisSample> filling_, seen_;
   std::vector<kinematics::ToolPose> poses_;
   tbb::task_group looking_;

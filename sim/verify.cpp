@@ -99,26 +99,12 @@ Result<RunReport> run(const VerifyRequest& request, const Stages& stages, RunWat
       [&](double done) { stages.tell(done); });
 }
 
-/// The stock before the run as a mesh.
-geometry::TriangleMesh blank(const StockSetup& setup) {
-  if (setup.solid_P) return *setup.solid_P;
-  geometry::TriangleMesh box;
-  for (const auto corner :
-       {Eigen::AlignedBox3d::BottomLeftFloor, Eigen::AlignedBox3d::BottomRightFloor, Eigen::AlignedBox3d::TopLeftFloor,
-        Eigen::AlignedBox3d::TopRightFloor, Eigen::AlignedBox3d::BottomLeftCeil, Eigen::AlignedBox3d::BottomRightCeil,
-        Eigen::AlignedBox3d::TopLeftCeil, Eigen::AlignedBox3d::TopRightCeil})
-    box.vertices_mm.push_back(setup.box_P_mm.corner(corner));
-  box.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                   {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  return box;
-}
-
 CollisionScene scene(const VerifyRequest& request) {
   CollisionScene out;
   if (request.surface_P) out.part_P = *request.surface_P;
   out.obstacles_P = request.obstacles_P;
   out.obstacle_names = request.obstacle_names;
-  if (request.stock && !request.stock->assumed) out.stock_P = blank(*request.stock);
+  if (request.stock && !request.stock->assumed) out.stock_P = blank_mesh(*request.stock);
   out.tool = request.tool;
   out.gouge_tolerance_mm = request.cut.gouge_limit_mm;
   out.clearance_mm = request.clearance_mm;
@@ -258,6 +244,7 @@ Result<VerifyResult> verify(const VerifyRequest& request) {
 
   stages.begin("findings");
   result.loads = watch.loads();
+  result.machining_time_s = watch.machining_time_s();
   gather_findings(request, watch.limit_peaks(), result);
   stages.end();
   return result;

@@ -62,8 +62,9 @@ struct VerifyResult {
   std::optional<StockOutcome> stock;
   std::optional<CollisionReport> collision;
   LoadsReport loads;
-  std::vector<Finding> findings;      ///< sorted by severity, then line; none: the program passed
-  std::vector<Finding> warnings;      ///< what rests on assumed numbers or an assumed stock: told, not judged
+  std::vector<Finding> findings;           ///< sorted by severity, then line; none: the program passed
+  std::vector<Finding> warnings;           ///< what rests on assumed numbers or an assumed stock: told, not judged
+  std::optional<double> machining_time_s;  ///< first to last feed move with the spindle on, rapids between included
   std::int64_t commanded_points = 0;  ///< feed points read back from the text for the comparison with `expected_poses`
   TraceView trace;
   std::map<std::string, double> timing_s;

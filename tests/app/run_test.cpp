@@ -100,7 +100,7 @@ TEST(Run, PlanPostAndSimulateAgreeWithRun) {
   EXPECT_GT(report["run"]["cycle_time_s"].get<double>(), 1.0) << judged.err;
 }
 
-TEST(Compare, OnePageHasARowAndAReportForEveryStrategy) {
+TEST(Compare, OnePageHasARowAndAReportForEveryStrategyWithBothLosses) {
   const auto folder = plate_folder("compare");
   const Outcome outcome = run_volute("compare plate.toml --strategies spiral,iso-planar --out out --json", folder);
   ASSERT_LE(outcome.status, 1) << outcome.err;
@@ -115,6 +115,54 @@ TEST(Compare, OnePageHasARowAndAReportForEveryStrategy) {
               std::string::npos);
   }
   EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
+  // The whole machining loses what leads and rapids take.
+  for (const Json& row : rows) {
+    const Json& run = row["run"];
+    const double machining_s = run["machining_time_s"], feed_s = run["feed_time_s"], cycle_s = run["cycle_time_s"];
+    EXPECT_LT(machining_s, cycle_s) << row["strategy"];
+    const double interruptions = row["path"]["rapid_traversals"];
+    if (interruptions > 0)
+      EXPECT_GT(machining_s, feed_s + 0.5 * interruptions) << "rapids between feed moves count";
+    else
+      EXPECT_NEAR(machining_s, feed_s, 0.1) << "one feed move after the other";
+    // The cut's own length over all of that time.
+    const double cut_mm = run["cutting_length_mm"], actual_mm_min = run["machining_feed_mm_min"];
+    EXPECT_NEAR(actual_mm_min, 60.0 * cut_mm / machining_s, 1e-9 * actual_mm_min);
+    EXPECT_LT(cut_mm, run["feed_length_mm"].get<double>()) << "leads are not cut";
+    const double loss = run["machining_feed_loss_percent"];
+    EXPECT_NEAR(loss, 100.0 * (actual_mm_min - 600.0) / 600.0, 0.01);
+  }
+  EXPECT_LT(rows[1]["run"]["machining_feed_loss_percent"], rows[0]["run"]["machining_feed_loss_percent"]);
+}
+
+/// A foreign program on the job's part, with a holder, past a clamp: down beside it and away in rapid through it.
+TEST(Simulate, WithAJobAHolderIsFoundInAClampOnARapid) {
+  const auto folder = scratch_folder("simulate-clamp");
+  write_text(folder / "plate.stl", plate_stl(15, 30));
+  write_text(folder / "plate.toml", plate_job("[holder]\nsegments = [[20, 24, 30]]\n"));
+  // The holder's face stands 38 mm above the tip, 10 mm wide to each side; the shank passes the clamp.
+  write_text(folder / "clamp.stl", box_stl({-20, -8, 20}, {-12, 8, 60}));
+  const std::string program =
+      "%\nO1\nG21 G90 G94 G17 G40 G49 G80\nG54\nS5000 M3\nG0 A0 C0\nG43.4 H1 X10 Y0 Z40\nG0 Z5\n"
+      "G1 X5 Z1 F600\nG1 X10\nG0 X-5\nG49\nM5\nM30\n%\n";
+  write_text(folder / "theirs.nc", program);
+  const std::string words = "simulate theirs.nc --job plate.toml --out judged --json";
+  const Outcome clean = run_volute(words, folder);
+  const Json without = Json::parse(clean.out)["findings"];
+  for (const Json& finding : without) EXPECT_NE(finding["kind"], "collision") << finding.dump();
+  const Outcome outcome = run_volute(words + " --obstacle clamp.stl", folder);
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  int met = 0;
+  const Json findings = Json::parse(outcome.out)["findings"];
+  for (const Json& finding : findings) {
+    if (finding["kind"] != "collision") continue;
+    ++met;
+    EXPECT_EQ(finding["block"], 11) << "the rapid to X-5: " << finding.dump();
+    EXPECT_NE(finding["axis_or_pair"].get<std::string>().find("clamp"), std::string::npos) << finding.dump();
+  }
+  EXPECT_GE(met, 1);
+  EXPECT_EQ(run_volute("simulate theirs.nc --job plate.toml --cutter ball,3", folder).status, 2)
+      << "the job has a cutter already";
 }
 
 TEST(Run, RenderDrawsTheSamePicturesAgain) {

@@ -37,6 +37,23 @@ Outcome run_volute(const std::string& words, const fs::path& folder) {
   return {WIFEXITED(raw) ? WEXITSTATUS(raw) : 128, text_of(out), text_of(err)};
 }
 
+namespace {
+
+std::string stl_bytes(const std::vector<std::array<float, 9>>& faces) {
+  std::string bytes(80, ' ');
+  const auto count = static_cast<std::uint32_t>(faces.size());
+  bytes.append(reinterpret_cast<const char*>(&count), 4);
+  for (const auto& face : faces) {
+    const std::array<float, 3> normal{0.0F, 0.0F, 1.0F};
+    bytes.append(reinterpret_cast<const char*>(normal.data()), 12);
+    bytes.append(reinterpret_cast<const char*>(face.data()), 36);
+    bytes.append(2, '\0');
+  }
+  return bytes;
+}
+
+}  // namespace
+
 std::string plate_stl(double half_mm, int cells) {
   std::vector<std::array<float, 9>> faces;
   const double step = 2.0 * half_mm / cells;
@@ -53,16 +70,25 @@ std::string plate_stl(double half_mm, int cells) {
       add(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1));
       add(corner(i, j), corner(i + 1, j + 1), corner(i, j + 1));
     }
-  std::string bytes(80, ' ');
-  const auto count = static_cast<std::uint32_t>(faces.size());
-  bytes.append(reinterpret_cast<const char*>(&count), 4);
-  for (const auto& face : faces) {
-    const std::array<float, 3> normal{0.0F, 0.0F, 1.0F};
-    bytes.append(reinterpret_cast<const char*>(normal.data()), 12);
-    bytes.append(reinterpret_cast<const char*>(face.data()), 36);
-    bytes.append(2, '\0');
-  }
-  return bytes;
+  return stl_bytes(faces);
+}
+
+std::string box_stl(const std::array<double, 3>& low_mm, const std::array<double, 3>& high_mm) {
+  // Corner k takes the high value of axis i where bit i of k is set; each face seen from outside, counterclockwise.
+  constexpr std::array<std::array<int, 4>, 6> quads{
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+  std::vector<std::array<float, 9>> faces;
+  for (const auto& quad : quads)
+    for (const auto& triple : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
+      std::array<float, 9> face{};
+      for (std::size_t v = 0; v < 3; ++v)
+        for (std::size_t i = 0; i < 3; ++i) {
+          const bool high = (quad[static_cast<std::size_t>(triple[v])] >> i & 1) != 0;
+          face[3 * v + i] = static_cast<float>(high ? high_mm[i] : low_mm[i]);
+        }
+      faces.push_back(face);
+    }
+  return stl_bytes(faces);
 }
 
 std::string plate_job(const std::string& extra) {

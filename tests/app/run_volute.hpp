@@ -1,6 +1,7 @@
 // Runs the built program as a user would and keeps what it says.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 
@@ -22,6 +23,8 @@ void write_text(const std::filesystem::path& file, const std::string& text);
 
 /// A flat square plate of `half_mm` with a square hole, `cells` by `cells`, as binary STL bytes.
 std::string plate_stl(double half_mm, int cells);
+/// A closed box as binary STL bytes.
+std::string box_stl(const std::array<double, 3>& low_mm, const std::array<double, 3>& high_mm);
 /// A job on "plate.stl" beside it; `extra` is appended.
 std::string plate_job(const std::string& extra = "");
 

@@ -69,6 +69,27 @@ std::vector<AxisSample> wavy_run(std::size_t count) {
   return out;
 }
 
+TEST(RunWatch, MachiningTimeIsFromTheFirstFeedMoveToTheLastWithTheRapidsBetween) {
+  const Machine machine = all_machines().front();
+  const kinematics::Setup setup;
+  const kinematics::Tool tool;
+  std::vector<AxisSample> run = wavy_run(10'000);  // rapid from 9.000 s on
+  for (std::size_t i = 0; i < 1700; ++i) run[i].cutting = false;
+  for (std::size_t portion : {1U, 777U, 20'000U}) {
+    RunWatch watch(machine, setup, tool, {});
+    for (std::size_t i = 0; i < run.size(); i += portion)
+      watch.add(std::span(run).subspan(i, std::min(portion, run.size() - i)));
+    watch.finish();
+    ASSERT_TRUE(watch.machining_time_s());
+    EXPECT_NEAR(*watch.machining_time_s(), 8.999 - 1.7, 1e-12) << portion;
+  }
+  for (AxisSample& sample : run) sample.cutting = false;
+  RunWatch air(machine, setup, tool, {});
+  air.add(run);
+  air.finish();
+  EXPECT_FALSE(air.machining_time_s()) << "nothing but rapids";
+}
+
 TEST(LimitPeaks, SayWhereAnAxisPassedWhichLimit) {
   const Machine machine = all_machines().front();
   LimitPeaks peaks(machine);
