@@ -41,6 +41,20 @@ struct ToolMotion {
   std::optional<std::array<RotaryPair, 2>> rotaries;
 };
 
+/// What may still meet when the assembly turns (without the ball against the part). What is settled for a turn is
+/// settled for every part of it, so whoever halves turns hands this on and asks less and less.
+struct OpenPairs {
+  std::vector<std::size_t> pairs;
+  bool surely_blocked = false;
+};
+
+/// What is known of a pose and of all turns about it within a bound.
+struct TurnVerdict {
+  bool free = false;                   ///< throughout
+  std::optional<InterferenceHit> hit;  ///< at the pose itself: the first in a fixed order
+  OpenPairs open;                      ///< surely_blocked: throughout
+};
+
 /// Pairs: every piece of cutter, shank and holder with part, obstacles and fixtures; with a machine also every link
 /// with those, every piece with every link but the one that carries the tool, and links with links, unless they are
 /// neighbours in the chain or touch where the machine stands at zero (joints).
@@ -48,6 +62,7 @@ struct ToolMotion {
 /// Properties, each with a test of that name: 1. CutterMayTouchButNotGouge. 2. HolderKeepsTheClearance.
 /// 3. ClearanceBoundsMotion. 4. MotionAgreesWithDenseSampling: what is told free is free at every one of many samples.
 /// 5. LinksKeepTheClearance. 6. StaysFreeHoldsForEveryTurn. 7. StaysBlockedHoldsForEveryTurn.
+/// 8. VerdictsAreThoseOfTheSingleQuestions.
 class Interference {
  public:
   /// Builds the trees once. `machine` and `setup` may be null: then only the tool assembly is checked.
@@ -98,6 +113,12 @@ class Interference {
   /// Does the assembly surely touch what it must not (without the ball against the part), wherever within `turn` it
   /// turns? False where it is not known.
   [[nodiscard]] bool stays_blocked(const kinematics::ToolPose& pose, const TurnBound& turn) const;
+  /// All pairs of the assembly but the ball against the part.
+  [[nodiscard]] OpenPairs open_pairs() const;
+  /// stays_free, first_hit_but_tip and stays_blocked in one, asking only for what is open. Requires: `open` is
+  /// open_pairs(), or that of the verdict on a turn that holds this one.
+  [[nodiscard]] TurnVerdict verdict(const kinematics::ToolPose& pose, const TurnBound& turn,
+                                    const OpenPairs& open) const;
   /// How deep the ball of a ball or taper-ball cutter goes into the part surface, mm; 0 when it does not, and for other
   /// shapes.
   [[nodiscard]] double tip_depth_mm(const kinematics::ToolPose& pose) const;
@@ -111,6 +132,8 @@ class Interference {
   struct Trees;
   [[nodiscard]] bool is_hit(const kinematics::ToolPose& pose, bool with_tip) const;
   [[nodiscard]] std::optional<InterferenceHit> assembly_hit(const kinematics::ToolPose& pose, bool with_tip) const;
+  [[nodiscard]] bool pair_stays_clear(std::size_t pair, const kinematics::ToolPose& pose, const TurnBound& turn) const;
+  [[nodiscard]] bool pair_stays_met(std::size_t pair, const kinematics::ToolPose& pose, const TurnBound& turn) const;
   friend class MotionCheck;
   std::unique_ptr<const Trees> trees_;
 };

@@ -2,6 +2,8 @@
 //
 // When the tool turns about the point where it cuts, what is near that point hardly moves. A bound by distance from the
 // pivot therefore proves what no single clearance can: a flat end stands 0 from the part where it cuts.
+#include <algorithm>
+
 #include "planner/interference_trees.hpp"
 
 namespace volute::planner {
@@ -44,29 +46,68 @@ bool shape_stays_met(const PlacedShape& shape, const ToolPose& pose, const Spher
 
 }  // namespace
 
-bool Interference::stays_free(const ToolPose& pose, const TurnBound& given) const {
+bool Interference::pair_stays_clear(std::size_t p, const ToolPose& pose, const TurnBound& given) const {
+  const WatchedPair& pair = trees_->pairs[p];
+  const SceneBody& body = trees_->bodies[pair.b];
+  const AssemblyPiece& piece = trees_->pieces[pair.a];
+  TurnBound turn = given;
   // The ball is of the true cutter; as it may stand in the part it is shrunk by the gouge tolerance.
-  TurnBound cutter_at_part = given, turn = given;
-  cutter_at_part.ball_radius_mm -= trees_->gouge_tolerance_mm;
-  turn.within_mm = 0.0;
+  if (body.is_part && piece.part == "cutter")
+    turn.ball_radius_mm -= trees_->gouge_tolerance_mm;
+  else
+    turn.within_mm = 0.0;
+  return shape_stays_clear(piece.shape_for(body), pose, body.tree, turn);
+}
+
+bool Interference::pair_stays_met(std::size_t p, const ToolPose& pose, const TurnBound& turn) const {
+  const WatchedPair& pair = trees_->pairs[p];
+  const SceneBody& body = trees_->bodies[pair.b];
+  return shape_stays_met(trees_->pieces[pair.a].shape_for(body), pose, body.tree, turn);
+}
+
+bool Interference::stays_free(const ToolPose& pose, const TurnBound& turn) const {
   for (std::size_t p = 0; p < trees_->assembly_pairs; ++p) {
-    const WatchedPair& pair = trees_->pairs[p];
-    const SceneBody& body = trees_->bodies[pair.b];
-    const AssemblyPiece& piece = trees_->pieces[pair.a];
-    const TurnBound& within = body.is_part && piece.part == "cutter" ? cutter_at_part : turn;
-    if (!pair.is_tip_at_part && !shape_stays_clear(piece.shape_for(body), pose, body.tree, within)) return false;
+    if (!trees_->pairs[p].is_tip_at_part && !pair_stays_clear(p, pose, turn)) return false;
   }
   return trees_->swallowing(pose) == nullptr;
 }
 
 bool Interference::stays_blocked(const ToolPose& pose, const TurnBound& turn) const {
   for (std::size_t p = 0; p < trees_->assembly_pairs; ++p) {
-    const WatchedPair& pair = trees_->pairs[p];
-    const SceneBody& body = trees_->bodies[pair.b];
-    if (!pair.is_tip_at_part && shape_stays_met(trees_->pieces[pair.a].shape_for(body), pose, body.tree, turn))
-      return true;
+    if (!trees_->pairs[p].is_tip_at_part && pair_stays_met(p, pose, turn)) return true;
   }
   return false;
+}
+
+OpenPairs Interference::open_pairs() const {
+  OpenPairs open;
+  for (std::size_t p = 0; p < trees_->assembly_pairs; ++p) {
+    if (!trees_->pairs[p].is_tip_at_part) open.pairs.push_back(p);
+  }
+  return open;
+}
+
+TurnVerdict Interference::verdict(const ToolPose& pose, const TurnBound& turn, const OpenPairs& open) const {
+  TurnVerdict verdict;
+  verdict.open.surely_blocked = open.surely_blocked;
+  for (const std::size_t p : open.pairs) {
+    if (open.surely_blocked || !pair_stays_clear(p, pose, turn)) verdict.open.pairs.push_back(p);
+  }
+  const Stand at{pose, {}, {}};
+  const auto& left = verdict.open.pairs;
+  const auto touching =
+      std::find_if(left.begin(), left.end(), [&](std::size_t p) { return trees_->touches(trees_->pairs[p], at); });
+  if (touching != left.end()) {
+    verdict.hit = trees_->names(trees_->pairs[*touching]);
+    // What touches at the pose is the likeliest to do so throughout; what came before it does not touch there.
+    verdict.open.surely_blocked = open.surely_blocked || std::any_of(touching, left.end(), [&](std::size_t p) {
+                                    return pair_stays_met(p, pose, turn);
+                                  });
+  } else if (const SceneBody* body = trees_->swallowing(pose)) {
+    verdict.hit = InterferenceHit{trees_->pieces.back().part, body->name};
+  }
+  verdict.free = !verdict.hit && left.empty();
+  return verdict;
 }
 
 }  // namespace volute::planner

@@ -167,7 +167,8 @@ class ChartBuilder {
     const std::vector<double> last = steps(from, greatest[1]);
     rows.insert(rows.end(), last.begin(), last.end());
     for (std::size_t r = 0; r + 1 < rows.size(); ++r) {
-      for (std::size_t c = 0; c + 1 < columns.size(); ++c) add({{columns[c], rows[r]}, {columns[c + 1], rows[r + 1]}});
+      for (std::size_t c = 0; c + 1 < columns.size(); ++c)
+        add({{columns[c], rows[r]}, {columns[c + 1], rows[r + 1]}}, allowed_.interference().open_pairs());
     }
     return std::move(cells_);
   }
@@ -180,12 +181,13 @@ class ChartBuilder {
     return places;
   }
 
-  void add(const Box& box) {
+  /// `open`: what is not settled for a box that holds this one.
+  void add(const Box& box, OpenPairs open) {
     OrientationCell cell{box.least, box.greatest};
     const Pair half = box.half();
     // What blocks is told of the middle, so blocked cells stay small enough to show where it changes.
-    const bool decided = judge(box, cell) && (cell.state != OrientationState::blocked ||
-                                              2.0 * std::max(half[0], half[1]) <= blocked_cell_rad);
+    const bool decided = judge(box, open, cell) && (cell.state != OrientationState::blocked ||
+                                                    2.0 * std::max(half[0], half[1]) <= blocked_cell_rad);
     if (decided || 2.0 * std::max(half[0], half[1]) <= resolution_rad_) {
       cells_.push_back(cell);
       return;
@@ -193,12 +195,12 @@ class ChartBuilder {
     const std::size_t k = half[0] >= half[1] ? 0 : 1;
     Box low = box, high = box;
     low.greatest[k] = high.least[k] = box.middle()[k];
-    add(low);
-    add(high);
+    add(low, open);
+    add(high, std::move(open));
   }
 
   /// True: the state holds for the whole cell.
-  bool judge(const Box& box, OrientationCell& cell) {
+  bool judge(const Box& box, OpenPairs& open, OrientationCell& cell) {
     const Pair middle = box.middle(), tilts = shape_.tilts(box);
     const Vec3 axis = shape_.axis_P(middle);
     const auto [least_tilt, most_tilt] = allowed_.tilt_limits();
@@ -213,23 +215,23 @@ class ChartBuilder {
       cell.state = limit == Blocked::width ? OrientationState::width_limit : OrientationState::travel_limit;
       return inside && corners_share(box, limit);
     }
-    const bool settled = judge_interference(box, axis, cell);
+    const bool settled = judge_interference(box, axis, open, cell);
     return settled && inside && corners_share(box, Blocked::no);
   }
 
-  bool judge_interference(const Box& box, const Vec3& axis, OrientationCell& cell) {
+  bool judge_interference(const Box& box, const Vec3& axis, OpenPairs& open, OrientationCell& cell) {
     const kinematics::ToolPose pose = allowed_.pose(i_, axis);
     const Interference& checks = allowed_.interference();
-    const TurnBound turn = shape_.turn(box);
-    const bool clear = checks.stays_free(pose, turn);
-    auto hit = clear ? std::nullopt : checks.first_hit_but_tip(pose);
+    TurnVerdict verdict = checks.verdict(pose, shape_.turn(box), open);
+    open = std::move(verdict.open);
+    auto hit = std::move(verdict.hit);
     const bool by_assembly = hit.has_value();
     if (!hit) {
       if (const auto rotaries = shape_.rotaries(box.middle())) hit = checks.first_link_hit(pose, *rotaries);
     }
     cell.centre_free = !hit;
     if (hit) cell.blocker = blocker(hit->tool_part + " against " + hit->scene_part);
-    const bool proved = hit ? !by_assembly || checks.stays_blocked(pose, turn) : clear;
+    const bool proved = hit ? !by_assembly || open.surely_blocked : verdict.free;
     cell.state = !proved ? OrientationState::unsure : (hit ? OrientationState::blocked : OrientationState::free);
     return proved && (by_assembly || !hit);
   }

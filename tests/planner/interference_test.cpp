@@ -114,8 +114,34 @@ struct Turns {
   int free = 0, blocked = 0;
 };
 
-/// Random axes at the bottom of the valley and random turns about the contact; what is told free or blocked for all
-/// turns up to a bound has to be so at every one of them.
+/// Orientations round (tilt, yaw) at the bottom of the valley, both within `most_rad`: the tool turns about the
+/// contact.
+struct Orientations {
+  double tilt_rad, yaw_rad, most_rad;
+
+  [[nodiscard]] static ToolPose pose(const kinematics::Tool& tool, double t, double y) {
+    const Vec3 axis(std::sin(t) * std::cos(y), std::sin(t) * std::sin(y), std::cos(t));
+    return contact_pose(tool.cutter, Vec3::Zero(), Vec3::UnitZ(), axis);
+  }
+  [[nodiscard]] ToolPose middle(const kinematics::Tool& tool) const { return pose(tool, tilt_rad, yaw_rad); }
+  [[nodiscard]] TurnBound turn(const kinematics::Tool& tool, double tube_mm) const {
+    TurnBound turn{Vec3(0, 0, tube_mm), 2.0 * most_rad, 1e9, 0.0, Vec3::Zero(), 0.0, 0.0};
+    if (const double circle_mm = tool.cutter.radius_mm - tube_mm; circle_mm > 0.0) {
+      turn.ball_radius_mm = circle_mm / std::sin(tilt_rad - most_rad) + tube_mm;
+      turn.ball_centre_mm = turn.ball_radius_mm * Vec3::UnitZ();
+      turn.within_mm = 2.0 * circle_mm / std::tan(tilt_rad + most_rad) - tube_mm;
+    }
+    return turn;
+  }
+};
+
+Orientations random_orientations(std::mt19937& random) {
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  const double tilt_rad = 0.7 + 0.6 * any(random), yaw_rad = 3.14 * any(random);
+  return {tilt_rad, yaw_rad, 0.02 * (1.0 + any(random))};
+}
+
+/// What is told free or blocked for all turns up to a bound has to be so at every one of them.
 Turns try_turns(const kinematics::Tool& tool, double tube_mm) {
   const Interference check(valley_scene(), tool, nullptr, nullptr);
   const unsigned seed = 77;
@@ -123,28 +149,57 @@ Turns try_turns(const kinematics::Tool& tool, double tube_mm) {
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   Turns found;
   for (int n = 0; n < 1500; ++n) {
-    const double tilt = 0.7 + 0.6 * any(random), yaw = 3.14 * any(random), most = 0.02 * (1.0 + any(random));
-    const auto axis = [](double t, double y) {
-      return Vec3(std::sin(t) * std::cos(y), std::sin(t) * std::sin(y), std::cos(t));
-    };
-    const auto pose = [&](double t, double y) {
-      return contact_pose(tool.cutter, Vec3::Zero(), Vec3::UnitZ(), axis(t, y));
-    };
-    TurnBound turn{Vec3(0, 0, tube_mm), 2.0 * most, 1e9, 0.0, Vec3::Zero(), 0.0, 0.0};
-    if (const double circle_mm = tool.cutter.radius_mm - tube_mm; circle_mm > 0.0) {
-      turn.ball_radius_mm = circle_mm / std::sin(tilt - most) + tube_mm;
-      turn.ball_centre_mm = turn.ball_radius_mm * Vec3::UnitZ();
-      turn.within_mm = 2.0 * circle_mm / std::tan(tilt + most) - tube_mm;
-    }
-    const bool free = check.stays_free(pose(tilt, yaw), turn), blocked = check.stays_blocked(pose(tilt, yaw), turn);
+    const Orientations all = random_orientations(random);
+    const ToolPose middle = all.middle(tool);
+    const TurnBound turn = all.turn(tool, tube_mm);
+    const bool free = check.stays_free(middle, turn), blocked = check.stays_blocked(middle, turn);
     found.free += free ? 1 : 0;
     found.blocked += blocked ? 1 : 0;
     for (int k = 0; k < 8 && (free || blocked); ++k) {
-      const ToolPose turned = pose(tilt + most * any(random), yaw + most * any(random));
+      const ToolPose turned =
+          Orientations::pose(tool, all.tilt_rad + all.most_rad * any(random), all.yaw_rad + all.most_rad * any(random));
       EXPECT_EQ(check.is_free_but_tip(turned), free) << "seed " << seed << " case " << n;
     }
   }
   return found;
+}
+
+/// A verdict from scratch, and one that only asks what a wider turn left open, against the questions one by one.
+TEST(Interference, VerdictsAreThoseOfTheSingleQuestions) {
+  const kinematics::Tool tool = end_mill(kinematics::CutterShape::bull, 5.0, 1.0);
+  const Interference check(valley_scene(), tool, nullptr, nullptr);
+  const unsigned seed = 78;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-0.5, 0.5);
+  int free = 0, blocked = 0, hits = 0, fewer = 0;
+  const auto agree = [&](const TurnVerdict& verdict, const ToolPose& pose, const TurnBound& turn) {
+    const auto hit = check.first_hit_but_tip(pose);
+    ASSERT_EQ(verdict.hit.has_value(), hit.has_value());
+    if (hit) {
+      EXPECT_EQ(verdict.hit->tool_part + verdict.hit->scene_part, hit->tool_part + hit->scene_part);
+    }
+    EXPECT_TRUE(verdict.free || !check.stays_free(pose, turn));
+    EXPECT_TRUE(verdict.open.surely_blocked || !check.stays_blocked(pose, turn));
+    hits += hit ? 1 : 0;
+  };
+  for (int n = 0; n < 500; ++n) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + " case " + std::to_string(n));
+    const Orientations wide = random_orientations(random);
+    const TurnVerdict first = check.verdict(wide.middle(tool), wide.turn(tool, 1.0), check.open_pairs());
+    agree(first, wide.middle(tool), wide.turn(tool, 1.0));
+    EXPECT_EQ(first.free, check.stays_free(wide.middle(tool), wide.turn(tool, 1.0)));
+    EXPECT_EQ(first.open.surely_blocked, check.stays_blocked(wide.middle(tool), wide.turn(tool, 1.0)));
+    const Orientations part{wide.tilt_rad + wide.most_rad * any(random), wide.yaw_rad + wide.most_rad * any(random),
+                            0.5 * wide.most_rad};
+    agree(check.verdict(part.middle(tool), part.turn(tool, 1.0), first.open), part.middle(tool), part.turn(tool, 1.0));
+    free += first.free ? 1 : 0;
+    blocked += first.open.surely_blocked ? 1 : 0;
+    fewer += first.open.pairs.size() < check.open_pairs().pairs.size() ? 1 : 0;
+  }
+  EXPECT_GT(free, 50);
+  EXPECT_GT(blocked, 30);
+  EXPECT_GT(hits, 100);
+  EXPECT_GT(fewer, 200);
 }
 
 TEST(Interference, StaysFreeHoldsForEveryTurn) {
