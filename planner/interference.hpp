@@ -50,9 +50,8 @@ struct OpenPairs {
 
 /// What is known of a pose and of all turns about it within a bound.
 struct TurnVerdict {
-  bool free = false;                   ///< throughout
-  std::optional<InterferenceHit> hit;  ///< at the pose itself: the first in a fixed order
-  OpenPairs open;                      ///< surely_blocked: throughout
+  bool free = false;  ///< throughout
+  OpenPairs open;     ///< surely_blocked: throughout
 };
 
 /// Pairs: every piece of cutter, shank and holder with part, obstacles and fixtures; with a machine also every link
@@ -115,10 +114,13 @@ class Interference {
   [[nodiscard]] bool stays_blocked(const kinematics::ToolPose& pose, const TurnBound& turn) const;
   /// All pairs of the assembly but the ball against the part.
   [[nodiscard]] OpenPairs open_pairs() const;
-  /// stays_free, first_hit_but_tip and stays_blocked in one, asking only for what is open. Requires: `open` is
-  /// open_pairs(), or that of the verdict on a turn that holds this one.
+  /// stays_free and stays_blocked in one, asking only for what is open. Requires: `open` is open_pairs(), or that of
+  /// the verdict on a turn that holds this one.
   [[nodiscard]] TurnVerdict verdict(const kinematics::ToolPose& pose, const TurnBound& turn,
                                     const OpenPairs& open) const;
+  /// first_hit_but_tip among what is open. Requires: `open` is that of a verdict on a turn that holds the pose.
+  [[nodiscard]] std::optional<InterferenceHit> first_open_hit(const kinematics::ToolPose& pose,
+                                                              const OpenPairs& open) const;
   /// How deep the ball of a ball or taper-ball cutter goes into the part surface, mm; 0 when it does not, and for other
   /// shapes.
   [[nodiscard]] double tip_depth_mm(const kinematics::ToolPose& pose) const;

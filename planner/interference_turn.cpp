@@ -88,26 +88,24 @@ OpenPairs Interference::open_pairs() const {
 }
 
 TurnVerdict Interference::verdict(const ToolPose& pose, const TurnBound& turn, const OpenPairs& open) const {
+  if (open.surely_blocked) return {false, open};
   TurnVerdict verdict;
-  verdict.open.surely_blocked = open.surely_blocked;
-  for (const std::size_t p : open.pairs) {
-    if (open.surely_blocked || !pair_stays_clear(p, pose, turn)) verdict.open.pairs.push_back(p);
-  }
-  const Stand at{pose, {}, {}};
-  const auto& left = verdict.open.pairs;
-  const auto touching =
-      std::find_if(left.begin(), left.end(), [&](std::size_t p) { return trees_->touches(trees_->pairs[p], at); });
-  if (touching != left.end()) {
-    verdict.hit = trees_->names(trees_->pairs[*touching]);
-    // What touches at the pose is the likeliest to do so throughout; what came before it does not touch there.
-    verdict.open.surely_blocked = open.surely_blocked || std::any_of(touching, left.end(), [&](std::size_t p) {
-                                    return pair_stays_met(p, pose, turn);
-                                  });
-  } else if (const SceneBody* body = trees_->swallowing(pose)) {
-    verdict.hit = InterferenceHit{trees_->pieces.back().part, body->name};
-  }
-  verdict.free = !verdict.hit && left.empty();
+  auto& left = verdict.open.pairs;
+  std::copy_if(open.pairs.begin(), open.pairs.end(), std::back_inserter(left),
+               [&](std::size_t p) { return !pair_stays_clear(p, pose, turn); });
+  verdict.open.surely_blocked =
+      std::any_of(left.begin(), left.end(), [&](std::size_t p) { return pair_stays_met(p, pose, turn); });
+  verdict.free = left.empty() && trees_->swallowing(pose) == nullptr;
   return verdict;
+}
+
+std::optional<InterferenceHit> Interference::first_open_hit(const ToolPose& pose, const OpenPairs& open) const {
+  const Stand at{pose, {}, {}};
+  for (const std::size_t p : open.pairs) {
+    if (trees_->touches(trees_->pairs[p], at)) return trees_->names(trees_->pairs[p]);
+  }
+  if (const SceneBody* body = trees_->swallowing(pose)) return InterferenceHit{trees_->pieces.back().part, body->name};
+  return std::nullopt;
 }
 
 }  // namespace volute::planner

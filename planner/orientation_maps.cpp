@@ -14,7 +14,7 @@ namespace {
 
 // Between stations that are asked for the worst, and between two of the worst, mm along the path.
 constexpr double ask_every_mm = 1.0, apart_mm = 5.0;
-// A share takes milliseconds: on long paths first so many places.
+// A share takes up to milliseconds: on long paths first so many places.
 constexpr int places_max = 200;
 
 struct CutPoint {
@@ -54,13 +54,6 @@ std::vector<CutPoint> cuts_of(const PlanResult& plan) {
   return cuts;
 }
 
-std::vector<double> shares_at(const AllowedSet& allowed, const std::vector<int>& places) {
-  std::vector<double> share(places.size());
-  tbb::parallel_for(std::size_t{0}, places.size(),
-                    [&](std::size_t k) { share[k] = allowed_share(allowed, places[k]); });
-  return share;
-}
-
 /// Stations from `from_mm` to `to_mm`, none nearer than `step_mm` to the one before.
 std::vector<int> places_every(const AllowedSet& allowed, double from_mm, double to_mm, double step_mm) {
   std::vector<int> places;
@@ -79,8 +72,7 @@ int narrowest_beside(const AllowedSet& allowed, int i, double step_mm) {
   const double s = allowed.stations()[static_cast<std::size_t>(i)].s_mm;
   std::vector<int> places = places_every(allowed, s - step_mm, s + step_mm, ask_every_mm);
   places.push_back(i);
-  const std::vector<double> share = shares_at(allowed, places);
-  return places[static_cast<std::size_t>(std::min_element(share.begin(), share.end()) - share.begin())];
+  return NarrowestSearch(allowed, places).next().value_or(i);
 }
 
 /// First all along the path, at most places_max, then round the narrowest of these.
@@ -90,18 +82,16 @@ std::vector<int> worst_points(const AllowedSet& allowed, std::vector<int> taken,
   const double length_mm = allowed.stations().back().s_mm;
   const double step_mm = std::max(ask_every_mm, length_mm / places_max);
   const std::vector<int> asked = places_every(allowed, 0.0, length_mm, step_mm);
-  const std::vector<double> share = shares_at(allowed, asked);
-  std::vector<std::size_t> order(asked.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return share[a] < share[b]; });
+  NarrowestSearch search(allowed, asked);
   const auto s = [&](int i) { return allowed.stations()[static_cast<std::size_t>(i)].s_mm; };
   const auto is_beside = [&](int i) {
     return std::any_of(taken.begin(), taken.end(), [&](int other) { return std::abs(s(other) - s(i)) < apart_mm; });
   };
-  for (const std::size_t k : order) {
-    if (static_cast<int>(worst.size()) == count) break;
-    if (is_beside(asked[k])) continue;
-    const int place = step_mm > ask_every_mm ? narrowest_beside(allowed, asked[k], step_mm) : asked[k];
+  while (static_cast<int>(worst.size()) < count) {
+    const std::optional<int> narrow = search.next();
+    if (!narrow) break;
+    if (is_beside(*narrow)) continue;
+    const int place = step_mm > ask_every_mm ? narrowest_beside(allowed, *narrow, step_mm) : *narrow;
     if (is_beside(place)) continue;
     worst.push_back(place);
     taken.push_back(place);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planner/orientation/cspace.hpp"
+#include "planner/orientation/narrowest.hpp"
 #include "planner/plan.hpp"
 
 namespace volute::planner {

@@ -17,7 +17,6 @@ constexpr double pi = std::numbers::pi;
 // First cells: small enough that none of them spans what cannot be told apart (a turn of the pole).
 constexpr double first_cell_rad = pi / 12.0;
 constexpr double blocked_cell_rad = pi / 90.0;
-constexpr double quick_raster_rad = pi / 36.0;
 // Below this tilt the ball that holds a flat bottom is too large to be told from its tangent plane.
 constexpr double least_tilt_rad = 1e-3;
 constexpr double margin_step_rad = pi / 18000.0;
@@ -181,17 +180,20 @@ class ChartBuilder {
     return places;
   }
 
+  static double width(const Box& box) { return 2.0 * std::max(box.half()[0], box.half()[1]); }
+  [[nodiscard]] bool is_last(const Box& box) const { return width(box) <= resolution_rad_; }
+  /// What blocks is told of the middle, so blocked cells stay small enough to show where it changes.
+  static bool is_small(const Box& box) { return width(box) <= blocked_cell_rad; }
+
   /// `open`: what is not settled for a box that holds this one.
   void add(const Box& box, OpenPairs open) {
     OrientationCell cell{box.least, box.greatest};
-    const Pair half = box.half();
-    // What blocks is told of the middle, so blocked cells stay small enough to show where it changes.
-    const bool decided = judge(box, open, cell) && (cell.state != OrientationState::blocked ||
-                                                    2.0 * std::max(half[0], half[1]) <= blocked_cell_rad);
-    if (decided || 2.0 * std::max(half[0], half[1]) <= resolution_rad_) {
+    const bool decided = judge(box, open, cell) && (cell.state != OrientationState::blocked || is_small(box));
+    if (decided || is_last(box)) {
       cells_.push_back(cell);
       return;
     }
+    const Pair half = box.half();
     const std::size_t k = half[0] >= half[1] ? 0 : 1;
     Box low = box, high = box;
     low.greatest[k] = high.least[k] = box.middle()[k];
@@ -224,7 +226,9 @@ class ChartBuilder {
     const Interference& checks = allowed_.interference();
     TurnVerdict verdict = checks.verdict(pose, shape_.turn(box), open);
     open = std::move(verdict.open);
-    auto hit = std::move(verdict.hit);
+    // What will be halved anyway needs no hit of its own.
+    if (!verdict.free && !is_last(box) && !(open.surely_blocked && is_small(box))) return false;
+    auto hit = verdict.free ? std::nullopt : checks.first_open_hit(pose, open);
     const bool by_assembly = hit.has_value();
     if (!hit) {
       if (const auto rotaries = shape_.rotaries(box.middle())) hit = checks.first_link_hit(pose, *rotaries);
@@ -319,22 +323,6 @@ double free_turn_rad(const AllowedSet& allowed, int i, const Vec3& axis_P) {
         turn;
   }
   return free;
-}
-
-double allowed_share(const AllowedSet& allowed, int i) {
-  const Station& station = allowed.stations()[static_cast<std::size_t>(i)];
-  const FeedFrame frame = feed_frame(station.feed_P, station.normal_P);
-  const auto [least, most] = allowed.tilt_limits();
-  int tried = 0, found = 0;
-  for (double tilt = least; tilt <= most; tilt += quick_raster_rad) {
-    const int round = std::max(1, static_cast<int>(std::ceil(2.0 * pi * std::sin(tilt) / quick_raster_rad)));
-    for (int k = 0; k < round; ++k) {
-      ++tried;
-      const Vec3 axis = tool_axis(frame, Angle::radians(tilt), Angle::radians(2.0 * pi * k / round));
-      found += allowed.blocked(i, axis) == Blocked::no ? 1 : 0;
-    }
-  }
-  return tried > 0 ? static_cast<double>(found) / tried : 0.0;
 }
 
 }  // namespace volute::planner

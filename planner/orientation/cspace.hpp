@@ -29,8 +29,4 @@ kinematics::OrientationMap orientation_map(const AllowedSet& allowed, int i, con
 /// a hundredth of a degree; 0 where it touches already. The machine's links are not looked at.
 double free_turn_rad(const AllowedSet& allowed, int i, const Vec3& axis_P);
 
-/// The share of a 5 degree raster of directions within the limits of tilt that is allowed: quick, for finding the worst
-/// CC points.
-double allowed_share(const AllowedSet& allowed, int i);
-
 }  // namespace volute::planner

@@ -173,10 +173,10 @@ TEST(Interference, VerdictsAreThoseOfTheSingleQuestions) {
   std::uniform_real_distribution<double> any(-0.5, 0.5);
   int free = 0, blocked = 0, hits = 0, fewer = 0;
   const auto agree = [&](const TurnVerdict& verdict, const ToolPose& pose, const TurnBound& turn) {
-    const auto hit = check.first_hit_but_tip(pose);
-    ASSERT_EQ(verdict.hit.has_value(), hit.has_value());
+    const auto hit = check.first_hit_but_tip(pose), open = check.first_open_hit(pose, verdict.open);
+    ASSERT_EQ(open.has_value(), hit.has_value());
     if (hit) {
-      EXPECT_EQ(verdict.hit->tool_part + verdict.hit->scene_part, hit->tool_part + hit->scene_part);
+      EXPECT_EQ(open->tool_part + open->scene_part, hit->tool_part + hit->scene_part);
     }
     EXPECT_TRUE(verdict.free || !check.stays_free(pose, turn));
     EXPECT_TRUE(verdict.open.surely_blocked || !check.stays_blocked(pose, turn));

@@ -1,6 +1,7 @@
 // The allowed set at a CC point: its map against orientations tried one by one, and its picture.
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -145,6 +146,52 @@ TEST(CspaceClosedForm, FreeShareOfAWallIsItsClosedForm) {
   EXPECT_NEAR(planner::allowed_share(*question.allowed, 0), 0.5 * (1.0 + low), 0.02);
   ASSERT_EQ(map.blockers.size(), 1u);
   EXPECT_EQ(map.blockers.front(), "cutter against obstacle 1");
+}
+
+/// Stations across the sheet towards the wall, in no order.
+std::vector<planner::Station> towards_the_wall() {
+  std::vector<planner::Station> stations;
+  for (const double x : {-4.0, 6.0, -20.0, 1.0, 9.0, -9.0, 6.0, 3.5, -15.0, 7.5, -25.0, -12.0}) {
+    planner::Station station;
+    station.contact_P_mm = Vec3(x, 0.0, 0.01 * x * x);
+    station.normal_P = Vec3(-0.02 * x, -0.005 * x, 1.0).normalized();
+    station.feed_P = Vec3::UnitY().cross(station.normal_P).normalized();
+    stations.push_back(station);
+  }
+  return stations;
+}
+
+struct NarrowPlaces {
+  std::unique_ptr<Question> question = beside_a_wall({CutterShape::ball, 3.0, 3.0, {}, 20.0, 2});
+  std::vector<planner::Station> stations = towards_the_wall();
+  planner::AllowedSet allowed{stations, question->tool, *question->chart, *question->interference, question->options};
+  std::vector<int> all = [this] {
+    std::vector<int> indices(stations.size());
+    std::iota(indices.begin(), indices.end(), 0);
+    return indices;
+  }();
+};
+
+TEST(Narrowest, NarrowestComeInTheOrderOfTheirShares) {
+  const NarrowPlaces places;
+  std::vector<int> order = places.all;
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return planner::allowed_share(places.allowed, a) < planner::allowed_share(places.allowed, b);
+  });
+  EXPECT_LT(planner::allowed_share(places.allowed, order.front()),
+            0.8 * planner::allowed_share(places.allowed, order.back()));
+  planner::NarrowestSearch search(places.allowed, places.all);
+  std::vector<int> found;
+  while (const auto next = search.next()) found.push_back(*next);
+  EXPECT_EQ(found, order);
+}
+
+TEST(Narrowest, FewerAreAskedThanThereAre) {
+  const NarrowPlaces places;
+  planner::NarrowestSearch one(places.allowed, places.all), every(places.allowed, places.all);
+  ASSERT_TRUE(one.next());
+  while (every.next()) continue;
+  EXPECT_LT(one.asked(), 0.8 * every.asked());
 }
 
 TEST(CspacePicture, ShowsEachStateInItsPlace) {
