@@ -5,6 +5,7 @@
 #include "geometry/mesh_measure.hpp"
 #include "geometry/number_text.hpp"
 #include "planner/path/baselines.hpp"
+#include "planner/path/even_nudge.hpp"
 #include "planner/path/even_spiral.hpp"
 #include "planner/path/finish_path.hpp"
 #include "planner/path/guided_path.hpp"
@@ -87,9 +88,38 @@ std::optional<double> interval_of_scallop(const PathReport& report, const Interv
   return path_interval_mm(rule.radius_mm, height_mm, 0.0) / path_interval_mm(rule.radius_mm, rule.scallop_mm, 0.0);
 }
 
-/// The optimised field, finished as the other methods are; plan_even_spiral runs inward and counter-clockwise.
+/// The even spiral with its curve finished, and what it is worth.
+struct Finished {
+  CcPath path;
+  PathReport report;
+  std::optional<ScallopMap> scallop;
+};
+Result<Finished> finished_even(const geometry::TriangleMesh& surface, const CcPathResult& raw,
+                               const IntervalField& intervals, const CurveOptions& curve, const PathOptions& options) {
+  Finished out{raw.path, {}, {}};
+  for (CcPiece& piece : out.path.pieces) {
+    std::vector<RawStretch> stretches{{raw_points(piece.points), false}};
+    if (auto kept = keep_turns(stretches, options); !kept) return tl::unexpected(kept.error());
+    piece = finished_piece(std::move(stretches), options, curve);
+  }
+  out.report.strategy = "spiral";
+  out.report.method = "even";
+  out.report.liftings = 2;
+  out.report.notes = raw.report.notes;
+  out.report.rapid_traversals = static_cast<int>(out.path.pieces.size()) - 1;
+  out.scallop =
+      measure_path({surface, intervals, {}, false, !options.from_turn && !options.to_turn}, out.path, out.report);
+  out.report.interval_ratio_max = interval_of_scallop(out.report, intervals.rule());
+  return out;
+}
+
+/// The optimised field, finished as the other methods are; plan_even_spiral runs inward and counter-clockwise. The
+/// spline does not keep to every bend: where it leaves a single place too high, the points before it are moved.
 Result<CcPathResult> plan_even(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
                                const PathOptions& options, const OrientationOptions& orientation) {
+  constexpr int nudges_max = 3;
+  constexpr double kept = 1.08, mended_from = 1.04;
+  constexpr std::size_t places_max = 400;
   const bool mirror_image = sense_of(options.cut_direction) == Sense::clockwise;
   auto result = plan_even_spiral(mirror_image ? mirrored(surface) : surface, cutter, options, orientation);
   if (!result) return result;
@@ -97,20 +127,19 @@ Result<CcPathResult> plan_even(const geometry::TriangleMesh& surface, const kine
   if (auto begun = begin_even_at(surface, options, *result); !begun) return tl::unexpected(begun.error());
   const IntervalField intervals(surface, interval_rule(cutter, options.scallop_mm, orientation));
   const CurveOptions curve = curve_options(cutter, options, orientation, intervals.rule());
-  for (CcPiece& piece : result->path.pieces) {
-    std::vector<RawStretch> stretches{{raw_points(piece.points), false}};
-    if (auto kept = keep_turns(stretches, options); !kept) return tl::unexpected(kept.error());
-    piece = finished_piece(std::move(stretches), options, curve);
+  auto best = finished_even(surface, *result, intervals, curve, options);
+  if (!best) return tl::unexpected(best.error());
+  const double interval_mm = intervals.rule().interval_mm(0.0);
+  for (int n = 0; n < nudges_max && best->scallop && best->scallop->statistics.max_ratio > kept; ++n) {
+    const auto places = high_places(*best->scallop, mended_from, 0.5 * interval_mm);
+    if (places.size() > places_max) break;
+    for (CcPiece& piece : result->path.pieces) nudge(piece, places, interval_mm);
+    auto next = finished_even(surface, *result, intervals, curve, options);
+    if (!next || next->report.scallop_ratio_max >= best->report.scallop_ratio_max) break;
+    best = std::move(next);
   }
-  PathReport report;
-  report.strategy = "spiral";
-  report.method = "even";
-  report.liftings = 2;
-  report.notes = result->report.notes;
-  report.rapid_traversals = static_cast<int>(result->path.pieces.size()) - 1;
-  measure_path({surface, intervals, {}, false, !options.from_turn && !options.to_turn}, result->path, report);
-  report.interval_ratio_max = interval_of_scallop(report, intervals.rule());
-  result->report = std::move(report);
+  result->path = std::move(best->path);
+  result->report = std::move(best->report);
   return result;
 }
 

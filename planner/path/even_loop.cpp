@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/index.hpp"
+#include "planner/path/even_nudge.hpp"
 #include "planner/path/even_prolong.hpp"
 #include "planner/path/even_rounding.hpp"
 #include "planner/path/path_measure.hpp"
@@ -32,7 +33,7 @@ double length_of(const CcPath& path) {
 /// much of the area is, each a little more than its height asks for: with the root alone the others come back round by
 /// round.
 double gain_for(double ratio, bool much_area, double step_max) {
-  constexpr double place_ratio = 1.05, place_power = 0.75, eager_max = 1.05;
+  constexpr double place_ratio = 1.08, place_power = 0.75, eager_max = 1.05;
   if (!much_area) return std::clamp(std::pow(ratio / place_ratio, place_power), 1.0, step_max);
   return std::min(std::max(std::sqrt(ratio), std::min(ratio * std::sqrt(ratio), eager_max)), step_max);
 }
@@ -71,15 +72,19 @@ std::vector<double> correction(const EvenDomain& domain, const std::vector<doubl
   return gain;
 }
 
-/// How far a round is past what it should hold; less is better, and among equals the shorter path.
-double fault(const EvenRound& round, int sharp_max) {
+constexpr double greatest_kept = 1.10;   ///< times the allowed scallop: a round with more is corrected
+constexpr double nudged_down_to = 1.07;  ///< what nudging aims at: the spline through these points adds a little
+
+/// How far a round is past what it should hold.
+double fault(const EvenRound& round, int sharp_max, double greatest = greatest_kept) {
   constexpr double one_corner = 0.02;  // as bad as so much of the scallop
   const ScallopStatistics& s = round.scallop;
-  return std::max(0.0, s.p9999_ratio - 1.05) + std::max(0.0, s.max_ratio - 1.10) +
+  return std::max(0.0, s.p9999_ratio - 1.05) + std::max(0.0, s.max_ratio - greatest) +
          std::max(0.0, s.area_above_percent - area_above_max_percent) +
          one_corner * std::max(0, round.sharp_corners - sharp_max);
 }
 
+/// Less fault is better, and among equals the shorter path.
 bool better(const EvenRound& a, const EvenRound& b, int sharp_max) {
   if ((a.path.pieces == 1) != (b.path.pieces == 1)) return a.path.pieces == 1;
   if (fault(a, sharp_max) != fault(b, sharp_max)) return fault(a, sharp_max) < fault(b, sharp_max);
@@ -105,9 +110,8 @@ bool stiffen_around(const EvenDomain& domain, const std::vector<Vec3>& sharp_mm,
   return changed;
 }
 
-/// Rounds the corners and puts what moved back onto the surface.
-void round_on_surface(const EvenDomain& domain, CcPiece& piece, double interval_mm) {
-  const auto moved = round_corners(piece, interval_mm);
+/// Puts the points that moved back onto the surface.
+void put_on_surface(const EvenDomain& domain, CcPiece& piece, const std::vector<char>& moved) {
   std::vector<Vec3> places;
   for (std::size_t i = 0; i < moved.size(); ++i) {
     if (moved[i] != 0) places.push_back(piece.points[i].point_P_mm);
@@ -130,21 +134,53 @@ void find_corners(const CcPiece& piece, double interval_mm, EvenRound& round) {
   round.sharp_mm.insert(round.sharp_mm.end(), places.begin(), places.end());
 }
 
-EvenRound trace_round(const EvenDomain& domain, const IntervalRule& rule, const EvenField& field,
+/// What of a round comes from its path: length, corners, scallops.
+ScallopMap measure_round(const EvenDomain& domain, const IntervalRule& rule, EvenRound& round) {
+  round.sharp_corners = 0;
+  round.sharp_mm.clear();
+  for (const CcPiece& piece : round.cc.pieces) find_corners(piece, rule.interval_mm(0.0), round);
+  round.length_mm = length_of(round.cc);
+  ScallopMap map = measure_scallop(domain.mesh, domain.vertex_normals, round.cc, rule.radius_mm, rule.scallop_mm,
+                                   {.exact_from_ratio = 0.9, .closer_from_ratio = 0.92});
+  round.scallop = map.statistics;
+  return map;
+}
+
+/// Single places too high: the passes beside them are moved, as long as that helps. Returns the map of what is kept.
+ScallopMap nudged(const EvenDomain& domain, const IntervalRule& rule, int sharp_max, ScallopMap map, EvenRound& round) {
+  constexpr int nudges_max = 4;
+  constexpr double mended_from = 1.04;
+  constexpr std::size_t places_max = 400;  // more are no single places
+  const double interval_mm = rule.interval_mm(0.0);
+  for (int n = 0; n < nudges_max && fault(round, sharp_max, nudged_down_to) > 0.0; ++n) {
+    if (round.scallop.area_above_percent > area_above_max_percent) break;
+    const auto places = high_places(map, mended_from, 0.5 * interval_mm);
+    if (places.empty() || places.size() > places_max) break;
+    EvenRound next = round;
+    for (CcPiece& piece : next.cc.pieces) {
+      put_on_surface(domain, piece, nudge(piece, places, interval_mm));
+      fill_bends(piece, interval_mm);
+    }
+    ScallopMap after = measure_round(domain, rule, next);
+    if (fault(next, sharp_max, nudged_down_to) >= fault(round, sharp_max, nudged_down_to)) break;
+    round = std::move(next);
+    map = std::move(after);
+  }
+  return map;
+}
+
+EvenRound trace_round(const EvenDomain& domain, const IntervalRule& rule, const EvenField& field, int sharp_max,
                       std::vector<double>& worst) {
   EvenRound round;
   round.field = field;
   round.path = even_path(domain, field, rule.interval_mm(0.0));
   round.cc = cc_path_of(domain, round.path);
   for (CcPiece& piece : round.cc.pieces) {
-    round_on_surface(domain, piece, rule.interval_mm(0.0));
+    put_on_surface(domain, piece, round_corners(piece, rule.interval_mm(0.0)));
     fill_bends(piece, rule.interval_mm(0.0));
-    find_corners(piece, rule.interval_mm(0.0), round);
   }
-  round.length_mm = length_of(round.cc);
-  ScallopMap map = measure_scallop(domain.mesh, domain.vertex_normals, round.cc, rule.radius_mm, rule.scallop_mm,
-                                   {.exact_from_ratio = 0.9});
-  round.scallop = map.statistics;
+  ScallopMap map = measure_round(domain, rule, round);
+  if (round.path.pieces == 1) map = nudged(domain, rule, sharp_max, std::move(map), round);
   worst = std::move(map.worst_ratio);
   return round;
 }
@@ -209,7 +245,7 @@ Result<EvenRound> even_rounds(EvenDomain& domain, EvenField field, const Interva
   std::optional<EvenRound> best;
   std::vector<double> worst;
   for (int r = 0; r <= options.rounds; ++r) {
-    EvenRound round = trace_round(domain, rule, field, worst);
+    EvenRound round = trace_round(domain, rule, field, options.sharp_max, worst);
     const bool last = r == options.rounds || (round.path.pieces == 1 && fault(round, options.sharp_max) == 0.0);
     if (!last) {
       const auto corrected = correct({domain, rule, options}, round, worst, made, *solver, field);

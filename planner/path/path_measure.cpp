@@ -106,7 +106,7 @@ std::vector<double> corner_angles_rad(std::span<const Vec3> even, double spacing
   return corners;
 }
 
-void measure_path(const MeasureRequest& request, const CcPath& path, PathReport& report) {
+std::optional<ScallopMap> measure_path(const MeasureRequest& request, const CcPath& path, PathReport& report) {
   const IntervalRule& rule = request.intervals.rule();
   const double flat_mm = rule.interval_mm(0.0), spacing_mm = flat_mm / samples_per_interval;
   report.pieces = static_cast<int>(path.pieces.size());
@@ -130,14 +130,14 @@ void measure_path(const MeasureRequest& request, const CcPath& path, PathReport&
   if (!request.whole_surface) {
     report.notes.emplace_back(
         "only a part is machined: the lower bound is that of the whole surface, scallops are not measured");
-    return;
+    return {};
   }
-  const auto scallop = measure_scallop(request.surface, geometry::vertex_normals(request.surface), path, rule.radius_mm,
-                                       rule.scallop_mm, {.per_edge = scallop_samples_per_edge})
-                           .statistics;
-  report.scallop_ratio_p9999 = scallop.p9999_ratio;
-  report.scallop_ratio_max = scallop.max_ratio;
-  report.scallop_area_above_percent = scallop.area_above_percent;
+  ScallopMap scallop = measure_scallop(request.surface, geometry::vertex_normals(request.surface), path, rule.radius_mm,
+                                       rule.scallop_mm, {.per_edge = scallop_samples_per_edge});
+  report.scallop_ratio_p9999 = scallop.statistics.p9999_ratio;
+  report.scallop_ratio_max = scallop.statistics.max_ratio;
+  report.scallop_area_above_percent = scallop.statistics.area_above_percent;
+  return scallop;
 }
 
 }  // namespace volute::planner

@@ -2,11 +2,13 @@
 // strategy.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "planner/path/cc_path.hpp"
 #include "planner/path/path_interval.hpp"
+#include "planner/path/scallop_map.hpp"
 
 namespace volute::planner {
 
@@ -21,8 +23,8 @@ struct MeasureRequest {
 
 /// Fills `report` from `path` (all but strategy, method, rapid_traversals, liftings and notes). Definitions:
 /// docs/paths.md. Properties: 1. Corners of a square spiral are counted one by one. 2. Lengths do not depend on how
-/// densely points stand.
-void measure_path(const MeasureRequest& request, const CcPath& path, PathReport& report);
+/// densely points stand. Returns the map of the scallops where they are measured.
+std::optional<ScallopMap> measure_path(const MeasureRequest& request, const CcPath& path, PathReport& report);
 
 /// Places where chords of `window_mm` before and behind differ by more than `least_rad`, with the largest angle there;
 /// places nearer than half a window to each other are one corner.

@@ -60,6 +60,32 @@ TEST(ScallopMap, UncutPlacesCountTheRadius) {
   EXPECT_GT(map.statistics.area_above_percent, 80.0);
 }
 
+// Closed form: at distance d from a straight pass on a plane the height is r - sqrt(r^2 - d^2), greatest at the corners
+// of the sheet, which no inner sample reaches.
+TEST(ScallopMap, BoundaryAndCornersAreMeasuredWhereTheyAre) {
+  const double radius = 3.0, scallop = 0.2, interval = path_interval_mm(radius, scallop, 0.0);
+  const TriangleMesh mesh = sheet(8, 0.55 * interval / 8.0, 0.0);
+  const auto normals = geometry::vertex_normals(mesh);
+  CcPath path = passes(interval, 0.55 * interval);
+  path.pieces.resize(1);
+  const ScallopMap map = measure_scallop(mesh, normals, path, radius, scallop);
+  const double off = 0.55 * interval, height = radius - std::sqrt(radius * radius - off * off);
+  EXPECT_NEAR(map.statistics.max_ratio, height / scallop, 3e-3);  // balls a twentieth of an interval apart
+  const auto worst = std::max_element(map.worst_ratio.begin(), map.worst_ratio.end()) - map.worst_ratio.begin();
+  EXPECT_NEAR(map.worst_place_P_mm[static_cast<std::size_t>(worst)].y(), off, 1e-9);
+}
+
+// The crest between two passes runs beside every sample of a coarse sheet: only a closer look finds its height.
+TEST(ScallopMap, CrestsBetweenSamplesAreFound) {
+  const double radius = 3.0, scallop = 0.2, interval = path_interval_mm(radius, scallop, 0.0);
+  const TriangleMesh mesh = sheet(3, 2.0 * interval / 3.0, 0.0);
+  const auto normals = geometry::vertex_normals(mesh);
+  const ScallopMap map =
+      measure_scallop(mesh, normals, passes(1.1 * interval, 3.0 * interval), radius, scallop, {.per_edge = 3});
+  const double off = 0.55 * interval, height = radius - std::sqrt(radius * radius - off * off);
+  EXPECT_NEAR(map.statistics.max_ratio, height / scallop, 0.02);
+}
+
 // Independent computation: every ball of every path, sampled far more densely, against every sample point; no grid.
 TEST(ScallopMap, EqualsBruteForceOnACurvedSheet) {
   const double radius = 2.0, scallop = 0.15, interval = path_interval_mm(radius, scallop, 0.0);
@@ -88,12 +114,15 @@ TEST(ScallopMap, EqualsBruteForceOnACurvedSheet) {
   }
   double worst_difference = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    Vec3 x = Vec3::Zero(), n = Vec3::Zero();
-    for (Index v : mesh.triangles[t]) {
-      x += mesh.vertices_mm[static_cast<std::size_t>(v)] / 3.0;
-      n += normals[static_cast<std::size_t>(v)];
-    }
-    n.normalize();
+    // The normal where the map found the worst place, from the place's barycentric coordinates.
+    const Vec3& x = map.worst_place_P_mm[t];
+    const auto corner = [&](int k) { return static_cast<std::size_t>(mesh.triangles[t][static_cast<std::size_t>(k)]); };
+    const Vec3 a = mesh.vertices_mm[corner(0)], ab = mesh.vertices_mm[corner(1)] - a,
+               ac = mesh.vertices_mm[corner(2)] - a, across = ab.cross(ac);
+    const double v = (x - a).cross(ac).dot(across) / across.squaredNorm(),
+                 w = ab.cross(x - a).dot(across) / across.squaredNorm();
+    ASSERT_GE(std::min({v, w, 1.0 - v - w}), -1e-9) << "triangle " << t;
+    const Vec3 n = ((1.0 - v - w) * normals[corner(0)] + v * normals[corner(1)] + w * normals[corner(2)]).normalized();
     double height = radius;
     for (const Vec3& c : centres) {
       const Vec3 d = c - x;
@@ -124,8 +153,9 @@ TEST(ScallopMap, BoundedHeightsAreExactFromTheRatioOn) {
   const TriangleMesh mesh = sheet(60, 6.0 * interval / 60.0, 0.3);
   const auto normals = geometry::vertex_normals(mesh);
   const CcPath path = passes(1.02 * interval, 6.0 * interval);
-  const ScallopMap exact = measure_scallop(mesh, normals, path, radius, scallop);
-  const ScallopMap bounded = measure_scallop(mesh, normals, path, radius, scallop, {.exact_from_ratio = from});
+  const ScallopMap exact = measure_scallop(mesh, normals, path, radius, scallop, {.closer_from_ratio = 0.92});
+  const ScallopMap bounded =
+      measure_scallop(mesh, normals, path, radius, scallop, {.exact_from_ratio = from, .closer_from_ratio = 0.92});
   int only_bounded = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (exact.worst_ratio[t] >= from) {
