@@ -95,16 +95,23 @@ std::string whole(const std::optional<double>& value) {
   return value ? short_text(static_cast<int>(*value + 0.5)) : "";
 }
 
+/// Length over that of a plane as large: area over the interval on flat ground.
+double flat_bound_ratio(const CcPathResult& result, const Job& job) {
+  const double interval_mm = volute::planner::path_interval_mm(job.radius_mm, job.scallop_mm, 0.0);
+  return result.report.length_mm * interval_mm / result.surface.area_mm2;
+}
+
 /// One line of the table.
-std::string line_of(const std::string& part, const std::string& name, const CcPathResult& result, double cpu_s) {
+std::string line_of(const std::string& part, const std::string& name, const CcPathResult& result, const Job& job,
+                    double cpu_s) {
   const auto& r = result.report;
   const bool replaced = name == "spiral, even" && r.method != "even";
   return "| " + part + " | " + name + (replaced ? " (" + r.method + " took its place)" : "") + " | " +
-         two(r.length_ratio) + " | " + std::to_string(r.pieces) + " | " + std::to_string(r.rapid_traversals) + " | " +
-         std::to_string(r.liftings) + " | " + std::to_string(r.linkings) + " | " + std::to_string(r.sharp_corners) +
-         " (" + std::to_string(r.sharp_corners_60) + ") | " + two(r.scallop_ratio_p9999) + " / " +
-         two(r.scallop_ratio_max) + " | " + two(r.scallop_area_above_percent) + " | " + two(r.interval_ratio_max) +
-         " | " + whole(r.seam_kink_max_deg) + " | " + two(cpu_s) + " |";
+         two(r.length_ratio) + " | " + two(flat_bound_ratio(result, job)) + " | " + std::to_string(r.pieces) + " | " +
+         std::to_string(r.rapid_traversals) + " | " + std::to_string(r.liftings) + " | " + std::to_string(r.linkings) +
+         " | " + std::to_string(r.sharp_corners) + " (" + std::to_string(r.sharp_corners_60) + ") | " +
+         two(r.scallop_ratio_p9999) + " / " + two(r.scallop_ratio_max) + " | " + two(r.scallop_area_above_percent) +
+         " | " + two(r.interval_ratio_max) + " | " + whole(r.seam_kink_max_deg) + " | " + two(cpu_s) + " |";
 }
 
 volute::kinematics::Cutter ball(double radius_mm) {
@@ -125,10 +132,10 @@ void plan_row(const Row& row, const std::string& part, const std::string& shown,
   const double cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   if (!result) {
     std::cout << "| " << shown << " | " << row.name << " | none: " << result.error().message
-              << " | | | | | | | | | | |\n";
+              << " | | | | | | | | | | | |\n";
     return;
   }
-  std::cout << line_of(shown, row.name, *result, cpu_s) << '\n' << std::flush;
+  std::cout << line_of(shown, row.name, *result, job, cpu_s) << '\n' << std::flush;
   for (const std::string& note : result->report.notes) std::cerr << part << ", " << row.name << ": " << note << '\n';
   if (pictures.empty()) return;
   volute::bench::PathPicture picture{part + "-" + row.name, surface, ball(job.radius_mm), options, *result};
@@ -164,7 +171,7 @@ void plan_part(Job job, const Arguments& arguments) {
   auto surface = volute::geometry::machinable_surface(*loaded);
   if (surface) surface = changed(std::move(*surface), arguments);
   if (!surface) {
-    std::cout << "| " << part << " | none: " << surface.error().message << " | | | | | | | | | | | |\n";
+    std::cout << "| " << part << " | none: " << surface.error().message << " | | | | | | | | | | | | |\n";
     return;
   }
   if (job.radius_mm == 0.0) {
@@ -189,9 +196,10 @@ int main(int count, char** words) {
                  "SURFACE,RADIUS_MM,SCALLOP_MM ...\n";
     return 2;
   }
-  std::cout << "| part | strategy, method | length / bound | pieces | rapids | liftings | linkings | corners (> 60) | "
+  std::cout << "| part | strategy, method | length / bound | length / flat | pieces | rapids | liftings | linkings | "
+               "corners (> 60) | "
                "scallop 99.99 % / max | area above, % | interval max | seam kink, deg | CPU, s |\n"
-               "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+               "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Job& job : arguments->jobs) plan_part(job, *arguments);
   return 0;
 }
