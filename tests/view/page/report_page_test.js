@@ -101,6 +101,47 @@ const tests = {
   },
 };
 
+/** Tests of the whole page that need no 3D: they have to pass without WebGL too. */
+const withoutScene = ['plays and pauses', 'a click near a peak shows its moment and its line', 'the hardest moment of all is the spike',
+  'a finding shows its moment', 'a line of the program shows its moment'];
+
+/** How many pixels of an image element are not of its first one's colour. */
+const drawnInImage = (page, selector) => page.locator(selector).evaluate((image) => {
+  const canvas = new OffscreenCanvas(image.naturalWidth, image.naturalHeight);
+  const context = canvas.getContext('2d');
+  context.drawImage(image, 0, 0);
+  const pixels = new Uint32Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+  return pixels.reduce((count, pixel) => count + (pixel !== pixels[0] ? 1 : 0), 0);
+});
+
+async function withoutWebgl() {
+  const flat = await launch({ webgl: false });
+  const opened = await open(flat, file('example.html'));
+  const { page, complaints } = opened;
+  assert.match(await page.locator('#verdict').innerText(), /^REJECTED: 1 finding/);
+  assert.match(await page.locator('#no-webgl').innerText(), /no 3D/);
+  assert.ok(await page.locator('#still').isVisible(), 'the still picture is gone');
+  const stage = await page.locator('.stage').boundingBox(), still = await page.locator('#still').boundingBox();
+  assert.ok(still.width > 0.9 * stage.width && still.height > 0.9 * stage.height, 'the still does not stand where the 3D view would');
+  assert.ok(await drawnInImage(page, '#still') > 10000, 'the still is empty');
+  assert.equal(await page.locator('.panel').count(), 4);
+  assert.ok(await page.locator('.panel canvas').first().isVisible());
+  for (const name of withoutScene) await tests[name](opened);
+  await page.evaluate(() => scrollTo(0, 0));
+  await page.screenshot({ path: file('without-webgl.png') });
+  assert.deepEqual(complaints, []);
+  await flat.close();
+}
+
+/** A browser that is asked for the document alone draws no frames. */
+async function withoutFrames(browser) {
+  const { page, complaints } = await open(browser, file('example.html'), { before: () => { window.requestAnimationFrame = () => 0; } });
+  assert.equal(await page.locator('.panel').count(), 4);
+  assert.ok(await page.locator('#program .row').count() > 10);
+  assert.deepEqual(complaints, []);
+  await page.close();
+}
+
 async function inWindow(browser, size) {
   const opened = await open(browser, file('example.html'), size);
   const wide = await opened.page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
@@ -156,6 +197,8 @@ await opened.page.screenshot({ path: file('example.png'), fullPage: true });
 await check('no console error, no exception, no request', async () => assert.deepEqual(opened.complaints, []));
 await opened.page.close();
 for (const width of [1100, 700, 390]) await check(`fits a window of ${width} pixels`, () => inWindow(browser, { width, height: 850 }));
+await check('without WebGL everything works but the 3D view', withoutWebgl);
+await check('where no frame is ever drawn everything is there', () => withoutFrames(browser));
 await check('a program of others, without part, report and plan', () => foreignProgram(browser));
 await check('a program of 100,000 blocks', () => large(browser, 'large.html'));
 await check('a run of 1,000,000 samples', () => large(browser, 'million.html'));

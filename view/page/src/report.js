@@ -11,14 +11,17 @@ import { Scene3d } from './scene.js';
 import { element } from './words.js';
 import { playback, readout, viewTools, workbenchFrame } from './workbench.js';
 
-const nextFrame = () => new Promise((resolve) => { requestAnimationFrame(() => setTimeout(resolve, 0)); });
+// A frame, or a quarter of a second where none comes (a browser that draws nothing, a page behind others): what follows must not wait for it.
+const nextFrame = () => new Promise((resolve) => { requestAnimationFrame(() => setTimeout(resolve, 0)); setTimeout(resolve, 250); });
 const ready = (stage) => { document.documentElement.dataset.ready = stage; performance.mark(`volute-${stage}`); };
 
-function makeScene(frame, report, columns) {
+/** The live view, or null without WebGL: then the still stays in its place, and all the rest works. */
+function makeScene(frame, report, columns, still) {
   try {
     return new Scene3d(frame.canvas, report, columns);
   } catch (error) {
-    frame.stage.replaceChildren(element('p.note', {}, `This browser gives no WebGL (${error.message}): the 3D view is left out, the rest works.`));
+    const note = element('p.note', { id: 'no-webgl' }, `This browser shows no 3D (${error.message}): the part stands still here, the rest works.`);
+    frame.stage.replaceChildren(...[still, note].filter(Boolean));
     return null;
   }
 }
@@ -46,11 +49,13 @@ async function start() {
     ready('picture');
   }
   const columns = new Columns(await packedPart('scene'));
-  const scene = makeScene(frame, report, columns);
+  const scene = makeScene(frame, report, columns, still);
   if (scene) viewTools(frame, scene, null);
   await nextFrame();
-  scene?.finish();
-  still?.remove();
+  if (scene) {
+    scene.finish();
+    still?.remove();
+  }
   ready('scene');
 
   const traceBytes = await packedPart('trace');

@@ -14,7 +14,9 @@ export class Scene3d {
     this.canvas = canvas;
     this.report = report;
     this.columns = columns;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    const context = canvas.getContext('webgl2', { antialias: true, powerPreference: 'high-performance' });
+    if (!context) throw new Error('no WebGL 2');
+    this.renderer = new THREE.WebGLRenderer({ canvas, context });
     this.renderer.debug.checkShaderErrors = false;   // asking for a program's errors waits for the compiler
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.scene = new THREE.Scene();
