@@ -121,7 +121,9 @@ void CycleSampler::hold(const TimedCell& timed) {
 
 void CycleSampler::finish() {
   statistics_.add_stop(static_cast<double>(filter_.length()) * period_s_);
-  drain(Mark{});
+  const auto end = half_ + static_cast<std::size_t>(filled_);
+  const Mark last = end > 0 ? marks_[end - 1] : Mark{};
+  drain({last.line, Limit::stop, -1, last.rapid, false, false});  // coming to rest belongs to the last block
   flush();
 }
 

@@ -17,7 +17,7 @@ void near_cell(const SweptCutter& cutter, const Cell& cell, const Vec3& normal, 
   const Vec3 middle = cell.centroid();
   const double size = std::max({(cell.a - middle).norm(), (cell.b - middle).norm(), (cell.c - middle).norm()});
   cutter.near(middle + 0.5 * height_mm * normal, std::hypot(size, 0.5 * height_mm) + 1e-9, near);
-  cutter.keep_facing(normal, near);
+  cutter.face(normal, near);
 }
 
 void measure_patch(const SweptCutter& cutter, const SurfaceSamples& samples, const SurfaceSamples::Patch& patch,

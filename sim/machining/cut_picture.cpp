@@ -25,7 +25,7 @@ void measure_corners(const SweptCutter& swept, const std::array<Vec3, 3>& corner
   double size = 0.0;
   for (const Vec3& p : corners) size = std::max(size, (p - middle).norm());
   swept.near(middle + 0.5 * height_mm * normal, std::hypot(size, 0.5 * height_mm) + 1e-9, near);
-  swept.keep_facing(normal, near);
+  swept.face(normal, near);
   for (std::size_t k = 0; k < 3; ++k) {
     if (!std::isnan(out[k])) continue;
     if (const auto entry = swept.entry(corners[k], normal, height_mm, near)) out[k] = entry->height_mm;

@@ -129,6 +129,12 @@ std::optional<double> newton_up(const LineDistance& line, double t, double limit
 std::optional<double> line_entry_mm(const CutterProfile& profile, const StandingCutter& cutter, const Vec3& point_mm,
                                     const Vec3& direction, double limit_mm) {
   const LineDistance line{profile, point_mm - cutter.tip_mm, direction, cutter.axis};
+  // From below the plane of its bottom a line can only enter above it: the iteration begins there.
+  const double rise = direction.dot(cutter.axis), below_bottom_mm = -line.start.dot(cutter.axis);
+  if (below_bottom_mm > 0.0) {
+    if (rise <= 0.0 || below_bottom_mm > limit_mm * rise) return std::nullopt;
+    return newton_up(line, below_bottom_mm / rise, limit_mm);
+  }
   // Cheap refusal first: the middle of the asked stretch is farther than half the stretch.
   const double half = 0.5 * limit_mm;
   if (limit_mm > 0.0 && line.at(half).distance > half) return std::nullopt;

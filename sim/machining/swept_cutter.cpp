@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace volute::sim {
 namespace {
@@ -24,6 +25,24 @@ void extend_by_disc(Box& box, const Vec3& centre, const Vec3& axis, double radiu
   const Vec3 reach = radius * (Vec3::Ones() - axis.cwiseProduct(axis)).cwiseMax(0.0).cwiseSqrt();
   box.extend(Vec3(centre - reach));
   box.extend(Vec3(centre + reach));
+}
+
+/// Where a line crosses the plane of a cutter's bottom, above which all of the cutter stands.
+double bottom_crossing_mm(const SweptCutter::Near::Stand& stand, const Vec3& point_mm) {
+  constexpr double level = 1e-9;
+  if (stand.rise <= level) return -std::numeric_limits<double>::infinity();
+  return (stand.along_mm - point_mm.dot(stand.axis)) / stand.rise;
+}
+
+constexpr double golden = 0.6180339887498949;
+
+/// No lower than this is a convex function over [0, 1] with these values at 0, 1 - golden, golden and 1.
+double lowest_between(double f0, double f1, double f2, double f3) {
+  constexpr double x1 = 1.0 - golden, x2 = golden;
+  const double inner = (f2 - f1) / (x2 - x1), outer1 = (f1 - f0) / x1, outer2 = (f3 - f2) / (1.0 - x2);
+  const double left = std::min(f1 - inner * x1, f1), right = std::min(f2 + inner * (1.0 - x2), f2);
+  const double middle = std::max(std::min(f1, f1 + outer1 * (x2 - x1)), std::min(f2, f2 - outer2 * (x2 - x1)));
+  return std::min({left, middle, right});
 }
 
 /// A line enters a flank below the ball's own entry only where it comes from the side: above this cosine between the
@@ -129,28 +148,19 @@ void SweptCutter::near(const Vec3& centre_mm, double radius_mm, Near& out) const
   });
 }
 
-void SweptCutter::keep_facing(const Vec3& normal, Near& near) const {
-  if (!ball_nose_) return;
-  std::erase_if(near.places, [&](std::int32_t item) {
-    return places_[static_cast<std::size_t>(item)].cutter.axis.dot(normal) > flank_cosine;
+void SweptCutter::face(const Vec3& normal, Near& near) const {
+  near.stands.clear();
+  for (const std::int32_t item : near.places) {
+    const StandingCutter& cutter = places_[static_cast<std::size_t>(item)].cutter;
+    const double rise = normal.dot(cutter.axis);
+    if (ball_nose_ && rise > flank_cosine) continue;
+    const Vec2 lowest = profile_.support(-rise);
+    const double depth = lowest.x() * std::sqrt(std::max(0.0, 1.0 - rise * rise)) - lowest.y() * rise;
+    near.stands.push_back({cutter.axis, cutter.tip_mm.dot(cutter.axis), rise, cutter.tip_mm.dot(normal) - depth, item});
+  }
+  std::sort(near.stands.begin(), near.stands.end(), [](const Near::Stand& a, const Near::Stand& b) {
+    return a.lowest_mm != b.lowest_mm ? a.lowest_mm < b.lowest_mm : a.place < b.place;
   });
-}
-
-bool SweptCutter::may_improve(const Place& place, const Vec3& point_mm, const Vec3& normal, double limit_mm) const {
-  const double half = 0.5 * std::max(0.0, limit_mm);
-  const Vec3 from_tip = point_mm - place.cutter.tip_mm;
-  const Vec3 w = from_tip + half * normal;
-  const double along = w.dot(place.cutter.axis);
-  const double reach = profile_.greatest_radius_mm() + half;
-  if ((w - along * place.cutter.axis).squaredNorm() > reach * reach) return false;
-  // The plane of its bottom stands above the limit where the line crosses it.
-  const double rise = normal.dot(place.cutter.axis);
-  if (rise > 1e-9 && -from_tip.dot(place.cutter.axis) > limit_mm * rise) return false;
-  // The whole cutter stands above the limit: its lowest point is that in the direction against the normal.
-  const double down = -normal.dot(place.cutter.axis);
-  const Vec2 lowest = profile_.support(down);
-  const double depth = lowest.x() * std::sqrt(std::max(0.0, 1.0 - down * down)) + lowest.y() * down;
-  return -from_tip.dot(normal) - depth <= limit_mm;
 }
 
 std::optional<SweptEntry> SweptCutter::entry(const Vec3& point_mm, const Vec3& normal, double limit_mm,
@@ -169,6 +179,14 @@ std::optional<SweptEntry> SweptCutter::entry(const Vec3& point_mm, const Vec3& n
   return best;
 }
 
+bool SweptCutter::within_reach(const StandingCutter& cutter, const Vec3& point_mm, const Vec3& normal,
+                               double limit_mm) const {
+  const double half = 0.5 * std::max(0.0, limit_mm);
+  const Vec3 w = point_mm - cutter.tip_mm + half * normal;
+  const double along = w.dot(cutter.axis), reach = profile_.greatest_radius_mm() + half;
+  return (w - along * cutter.axis).squaredNorm() <= reach * reach;
+}
+
 void SweptCutter::entry_of_places(const Vec3& point_mm, const Vec3& normal, double limit_mm, const Near& near,
                                   std::optional<SweptEntry>& best) const {
   struct Low {
@@ -177,15 +195,30 @@ void SweptCutter::entry_of_places(const Vec3& point_mm, const Vec3& normal, doub
   };
   std::vector<Low> low;
   double limit = limit_mm;
-  for (const std::int32_t item : near.places) {
-    const Place& place = places_[static_cast<std::size_t>(item)];
-    if (!may_improve(place, point_mm, normal, limit + slack_mm_)) continue;
+  const auto look = [&](const Near::Stand& stand) {
+    const Place& place = places_[static_cast<std::size_t>(stand.place)];
+    if (!within_reach(place.cutter, point_mm, normal, limit + slack_mm_)) return;
     const auto t = line_entry_mm(profile_, place.cutter, point_mm, normal, limit + slack_mm_);
-    if (!t) continue;
-    low.push_back({*t, item});
-    if (*t >= limit) continue;
+    if (!t) return;
+    low.push_back({*t, stand.place});
+    if (*t >= limit) return;
     best = SweptEntry{*t, place.pose};
     limit = *t;
+  };
+  const double point_height_mm = point_mm.dot(normal);
+  // The place that can be lowest comes first: its limit then refuses nearly all others without looking at them.
+  const Near::Stand* first = nullptr;
+  for (double lowest = limit + slack_mm_; const Near::Stand& stand : near.stands) {
+    if (stand.lowest_mm - point_height_mm > lowest) break;
+    const double height = std::max(stand.lowest_mm - point_height_mm, bottom_crossing_mm(stand, point_mm));
+    if (height >= lowest) continue;
+    lowest = height;
+    first = &stand;
+  }
+  if (first != nullptr) look(*first);
+  for (const Near::Stand& stand : near.stands) {
+    if (stand.lowest_mm - point_height_mm > limit + slack_mm_) break;
+    if (&stand != first && bottom_crossing_mm(stand, point_mm) <= limit + slack_mm_) look(stand);
   }
   // What lies between places can be lower by the slack. Along a straight move of a convex solid the entry is a convex
   // function of the way, so only about places lower than both their neighbours.
@@ -201,7 +234,6 @@ void SweptCutter::entry_of_places(const Vec3& point_mm, const Vec3& normal, doub
 
 void SweptCutter::refine(std::int32_t place, double height_mm, const Vec3& point_mm, const Vec3& normal,
                          std::optional<SweptEntry>& best) const {
-  constexpr double golden = 0.6180339887498949;
   for (const std::int32_t other : {place - 1, place + 1}) {
     if (other < 0 || other >= static_cast<std::int32_t>(places_.size())) continue;
     const Place& a = places_[static_cast<std::size_t>(place)];
@@ -211,6 +243,8 @@ void SweptCutter::refine(std::int32_t place, double height_mm, const Vec3& point
       return line_entry_mm(profile_, between(a.cutter, b.cutter, share), point_mm, normal, none).value_or(none);
     };
     double low = 0.0, high = 1.0, x1 = 1.0 - golden, x2 = golden, f1 = height(x1), f2 = height(x2);
+    const double f3 = height(1.0);
+    if (best && std::max({f1, f2, f3}) < none && lowest_between(height_mm, f1, f2, f3) >= best->height_mm) continue;
     for (int i = 0; i < 14; ++i) {
       if (f1 <= f2) {
         high = x2;

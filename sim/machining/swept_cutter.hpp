@@ -31,18 +31,28 @@ class SweptCutter {
 
   /// What could touch the ball (centre, radius); to be used for lines that stay inside it.
   struct Near {
+    /// A place as lines in one direction see it.
+    struct Stand {
+      Vec3 axis;
+      double along_mm = 0.0;   ///< of the tip, on the axis
+      double rise = 0.0;       ///< of the axis in the lines' direction
+      double lowest_mm = 0.0;  ///< of the cutter, in the lines' direction
+      std::int32_t place = 0;
+    };
     std::vector<std::int32_t> moves, places;
+    std::vector<Stand> stands;  ///< of the places, the lowest first
     void clear() {
       moves.clear();
       places.clear();
+      stands.clear();
     }
   };
   void near(const Vec3& centre_mm, double radius_mm, Near& out) const;
-  /// Near things sorted out for lines in the direction `normal`: flanks that such a line can only meet after the ball
-  /// are left out.
-  void keep_facing(const Vec3& normal, Near& near) const;
+  /// Makes near things ready for lines in the direction `normal`: flanks that such a line can only meet after the ball
+  /// are left out, the lowest places come first.
+  void face(const Vec3& normal, Near& near) const;
 
-  /// The lowest entry with height <= limit_mm.
+  /// The lowest entry with height <= limit_mm. Requires: face(normal, near).
   [[nodiscard]] std::optional<SweptEntry> entry(const Vec3& point_mm, const Vec3& normal, double limit_mm,
                                                 const Near& near) const;
 
@@ -64,7 +74,9 @@ class SweptCutter {
                        std::optional<SweptEntry>& best) const;
   void refine(std::int32_t place, double height_mm, const Vec3& point_mm, const Vec3& normal,
               std::optional<SweptEntry>& best) const;
-  [[nodiscard]] bool may_improve(const Place& place, const Vec3& point_mm, const Vec3& normal, double limit_mm) const;
+  /// Is any point of the stretch up to the limit within the cutter's greatest radius of its axis?
+  [[nodiscard]] bool within_reach(const StandingCutter& cutter, const Vec3& point_mm, const Vec3& normal,
+                                  double limit_mm) const;
 
   CutterProfile profile_;
   bool ball_nose_ = false;
