@@ -230,7 +230,10 @@ Result<ItemPage> rotary_axes_compared(Workshop& shop, const std::string& name) {
        "Velocity falls from TTOM to VTOM, acceleration from TTOM to VTOM to ATOM to corridor. From VTOM to ATOM the "
        "velocity of A cannot fall: VTOM runs straight from pin to pin, and by the mean value theorem every curve "
        "through "
-       "the same pins is somewhere as fast. The row before the last is that bound.",
+       "the same pins is somewhere as fast. The row before the last is that bound. [Sun2016] claims no fall there "
+       "either: it calls the result of VTOM nearly a linear interpolation with small fluctuations left, and says of "
+       "ATOM "
+       "that neither velocity nor acceleration jumps.",
        "Seconds are of the computer that wrote this page; the other numbers do not depend on it.",
        "The weights that minimise eqs. 27 and 33 as printed depend on how the CC points are spaced. Weighted by arc "
        "length, as "
