@@ -1,4 +1,4 @@
-#include <Eigen/Cholesky>
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -10,26 +10,51 @@
 namespace volute::planner {
 namespace {
 
+/// A dense system by Gaussian elimination with row pivoting.
+using Dense = std::vector<std::vector<double>>;
+std::vector<double> solved(Dense a, std::vector<double> b) {
+  const std::size_t n = b.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k; i < n; ++i) pivot = std::abs(a[i][k]) > std::abs(a[pivot][k]) ? i : pivot;
+    std::swap(a[k], a[pivot]);
+    std::swap(b[k], b[pivot]);
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double share = a[i][k] / a[k][k];
+      for (std::size_t j = k; j < n; ++j) a[i][j] -= share * a[k][j];
+      b[i] -= share * b[k];
+    }
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k][j] * b[j];
+    b[k] /= a[k][k];
+  }
+  return b;
+}
+
+/// Adds weight * row row^T.
+void add_square(Dense& form, const std::vector<double>& row, double weight) {
+  for (std::size_t i = 0; i < row.size(); ++i)
+    for (std::size_t j = 0; j < row.size(); ++j) form[i][j] += weight * row[i] * row[j];
+}
+
 TEST(Banded, SolvesWhatADenseSolverSolves) {
   const unsigned seed = 17;
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
-  const int n = 40;
+  const std::size_t n = 40;
   BandMatrix<3> band(n);
-  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
+  Dense dense(n, std::vector<double>(n, 0.0));
   std::vector<double> right(n);
-  for (int i = 0; i < n; ++i) {
-    right[static_cast<std::size_t>(i)] = any(random);
-    for (int j = 0; j <= 3 && j <= i; ++j) {
-      const double value = j == 0 ? 7.0 + any(random) : any(random);
-      band[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = value;
-      dense(i, i - j) = dense(i - j, i) = value;
-    }
+  for (std::size_t i = 0; i < n; ++i) {
+    right[i] = any(random);
+    for (std::size_t j = 0; j <= 3 && j <= i; ++j)
+      band[i][j] = dense[i][i - j] = dense[i - j][i] = j == 0 ? 7.0 + any(random) : any(random);
   }
-  const Eigen::VectorXd wanted = dense.ldlt().solve(Eigen::Map<Eigen::VectorXd>(right.data(), n));
+  const std::vector<double> wanted = solved(dense, right);
   factor_banded<3>(band);
   solve_banded<3>(band, right);
-  for (int i = 0; i < n; ++i) EXPECT_NEAR(right[static_cast<std::size_t>(i)], wanted[i], 1e-13);
+  for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(right[i], wanted[i], 1e-13);
 }
 
 /// Bounds wide open, the start at 0.
@@ -76,33 +101,38 @@ TEST(SmoothestWithin, WithoutBoundsInTheWayIsTheDenseMinimiser) {
   const unsigned seed = 5;
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
-  const int n = 60;
+  const std::size_t n = 60;
   const double h = 1.5, l = 10.0;
   Problem open(n);
   SmoothProblem problem = open.with(h);
-  Eigen::MatrixXd form = Eigen::MatrixXd::Zero(n, n);
-  Eigen::VectorXd right(n);
-  const double weights[] = {1.0 / h, l * l / (h * h * h), l * l * l * l / std::pow(h, 5)};
-  Eigen::MatrixXd difference = Eigen::MatrixXd::Identity(n, n);
-  for (const double weight : weights) {
-    difference = (difference.bottomRows(difference.rows() - 1) - difference.topRows(difference.rows() - 1)).eval();
-    form += weight * difference.transpose() * difference;
+  Dense form(n, std::vector<double>(n, 0.0)), difference = form;
+  std::vector<double> right(n);
+  for (std::size_t i = 0; i < n; ++i) difference[i][i] = 1.0;
+  for (const double weight : {1.0 / h, l * l / (h * h * h), l * l * l * l / std::pow(h, 5)}) {
+    for (std::size_t i = 0; i + 1 < difference.size(); ++i)
+      for (std::size_t j = 0; j < n; ++j) difference[i][j] = difference[i + 1][j] - difference[i][j];
+    difference.pop_back();
+    for (const auto& row : difference) add_square(form, row, weight);
   }
-  for (int i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     problem.attraction.weight.push_back(0.05 + 0.04 * any(random));
     problem.attraction.target.push_back(any(random));
-    form(i, i) += problem.attraction.weight.back();
+    form[i][i] += problem.attraction.weight.back();
     right[i] = problem.attraction.weight.back() * problem.attraction.target.back();
   }
   problem.held.push_back({20, {0.1, 0.4, 0.4, 0.1}, 0.7, 1e6});
-  Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
-  row.segment(20, 4) << 0.1, 0.4, 0.4, 0.1;
-  form += 1e6 * row * row.transpose();
-  right += 1e6 * 0.7 * row;
-  const Eigen::VectorXd wanted = form.ldlt().solve(right);
+  std::vector<double> row(n, 0.0);
+  for (std::size_t k = 0; k < 4; ++k) row[20 + k] = problem.held.back().share[k];
+  add_square(form, row, 1e6);
+  for (std::size_t i = 0; i < n; ++i) right[i] += 1e6 * 0.7 * row[i];
+  const std::vector<double> wanted = solved(form, right);
   const auto c = smoothest_within(problem);
-  for (int i = 0; i < n; ++i) EXPECT_NEAR(c[static_cast<std::size_t>(i)], wanted[i], 1e-5) << "seed " << seed;
-  EXPECT_NEAR(row.dot(wanted), 0.7, 1e-5);
+  double held = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    EXPECT_NEAR(c[i], wanted[i], 1e-5) << "seed " << seed;
+    held += row[i] * wanted[i];
+  }
+  EXPECT_NEAR(held, 0.7, 1e-5);
 }
 
 /// From rest to rest over a length L the least greatest acceleration for a rise D is 4 D / L^2: full on, full off.
