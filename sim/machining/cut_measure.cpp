@@ -16,8 +16,7 @@ void near_cell(const SweptCutter& cutter, const Cell& cell, const Vec3& normal, 
                SweptCutter::Near& near) {
   const Vec3 middle = cell.centroid();
   const double size = std::max({(cell.a - middle).norm(), (cell.b - middle).norm(), (cell.c - middle).norm()});
-  cutter.near(middle + 0.5 * height_mm * normal, std::hypot(size, 0.5 * height_mm) + 1e-9, near);
-  cutter.face(normal, near);
+  cutter.near(middle, size, normal, height_mm, near);
 }
 
 void measure_patch(const SweptCutter& cutter, const SurfaceSamples& samples, const SurfaceSamples::Patch& patch,
@@ -63,12 +62,12 @@ class TwoSteps {
       : cutter_(cutter), cell_(cell), normal_(normal), heights_(heights) {
     near_cell(cutter, cell, normal, heights.near_height_mm, low_);
   }
-  /// Nothing above `limit_mm` matters.
-  std::optional<SweptEntry> entry(const Vec3& point, double limit_mm) {
+  /// Nothing above `limit_mm` matters, nor which of those as low as `enough_mm` is found.
+  std::optional<SweptEntry> entry(const Vec3& point, double limit_mm, double enough_mm) {
     const double low = std::min(limit_mm, heights_.near_height_mm);
-    if (auto found = cutter_.entry(point, normal_, low, low_); found || limit_mm <= low) return found;
+    if (auto found = cutter_.entry(point, normal_, low, low_, enough_mm); found || limit_mm <= low) return found;
     if (!high_) near_cell(cutter_, cell_, normal_, heights_.search_height_mm, high_.emplace());
-    return cutter_.entry(point, normal_, heights_.search_height_mm, *high_);
+    return cutter_.entry(point, normal_, heights_.search_height_mm, *high_, enough_mm);
   }
 
  private:
@@ -91,7 +90,9 @@ Extreme zoom_cell(const SweptCutter& cutter, const Cell& whole, const Vec3& norm
       -1, cell.centroid()};
   const auto take = [&](const Vec3& point) {
     if (!holds(whole, normal, point)) return;
-    const auto entry = lines.entry(point, limit_mm);
+    // Of the highest only what stands above the best so far is wanted exactly.
+    const auto entry = lines.entry(
+        point, limit_mm, sought == Sought::highest ? best.height_mm : -std::numeric_limits<double>::infinity());
     const double height = comparable(entry);
     const bool better = sought == Sought::highest ? (entry && height > best.height_mm) : height < best.height_mm;
     if (better) best = {height, entry->pose, point};

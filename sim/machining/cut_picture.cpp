@@ -24,8 +24,7 @@ void measure_corners(const SweptCutter& swept, const std::array<Vec3, 3>& corner
   const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
   double size = 0.0;
   for (const Vec3& p : corners) size = std::max(size, (p - middle).norm());
-  swept.near(middle + 0.5 * height_mm * normal, std::hypot(size, 0.5 * height_mm) + 1e-9, near);
-  swept.face(normal, near);
+  swept.near(middle, size, normal, height_mm, near);
   for (std::size_t k = 0; k < 3; ++k) {
     if (!std::isnan(out[k])) continue;
     if (const auto entry = swept.entry(corners[k], normal, height_mm, near)) out[k] = entry->height_mm;

@@ -75,8 +75,7 @@ class NotchSearch {
   [[nodiscard]] Extreme measured(const Notch& notch) const {
     const Vec3& normal = normals_[static_cast<std::size_t>(notch.triangle)];
     SweptCutter::Near near;
-    cutter_.near(notch.foot_mm, 1e-9, near);
-    cutter_.face(normal, near);
+    cutter_.near(notch.foot_mm, 0.0, normal, 0.0, near);
     const auto entry = cutter_.entry(notch.foot_mm, normal, 0.0, near);
     return entry ? Extreme{entry->height_mm, entry->pose, notch.foot_mm} : Extreme{0.0, -1, notch.foot_mm};
   }

@@ -136,7 +136,7 @@ void SweptCutter::make_trees() {
   place_tree_ = BoxTree(boxes);
 }
 
-void SweptCutter::near(const Vec3& centre_mm, double radius_mm, Near& out) const {
+void SweptCutter::find_near(const Vec3& centre_mm, double radius_mm, Near& out) const {
   out.clear();
   move_tree_.near(centre_mm, radius_mm, [&](std::int32_t move) { out.moves.push_back(move); });
   const double reach = radius_mm + profile_.greatest_radius_mm();
@@ -148,23 +148,28 @@ void SweptCutter::near(const Vec3& centre_mm, double radius_mm, Near& out) const
   });
 }
 
-void SweptCutter::face(const Vec3& normal, Near& near) const {
-  near.stands.clear();
-  for (const std::int32_t item : near.places) {
+void SweptCutter::near(const Vec3& middle_mm, double size_mm, const Vec3& normal, double height_mm, Near& out) const {
+  find_near(middle_mm + 0.5 * height_mm * normal, std::hypot(size_mm, 0.5 * height_mm) + 1e-9, out);
+  for (const std::int32_t item : out.places) {
     const StandingCutter& cutter = places_[static_cast<std::size_t>(item)].cutter;
-    const double rise = normal.dot(cutter.axis);
+    const double rise = normal.dot(cutter.axis), across = std::sqrt(std::max(0.0, 1.0 - rise * rise));
     if (ball_nose_ && rise > flank_cosine) continue;
     const Vec2 lowest = profile_.support(-rise);
-    const double depth = lowest.x() * std::sqrt(std::max(0.0, 1.0 - rise * rise)) - lowest.y() * rise;
-    near.stands.push_back({cutter.axis, cutter.tip_mm.dot(cutter.axis), rise, cutter.tip_mm.dot(normal) - depth, item});
+    const double depth = lowest.x() * across - lowest.y() * rise;
+    const Near::Stand stand{cutter.axis, cutter.tip_mm.dot(cutter.axis), rise, cutter.tip_mm.dot(normal) - depth, item};
+    // The crossing of the bottom's plane falls by across / rise on a way on the surface.
+    const double crossing = bottom_crossing_mm(stand, middle_mm);
+    const double above = crossing - height_mm - slack_mm_;
+    if (above > 0.0 && rise * above > size_mm * across) continue;
+    out.stands.push_back(stand);
   }
-  std::sort(near.stands.begin(), near.stands.end(), [](const Near::Stand& a, const Near::Stand& b) {
+  std::sort(out.stands.begin(), out.stands.end(), [](const Near::Stand& a, const Near::Stand& b) {
     return a.lowest_mm != b.lowest_mm ? a.lowest_mm < b.lowest_mm : a.place < b.place;
   });
 }
 
 std::optional<SweptEntry> SweptCutter::entry(const Vec3& point_mm, const Vec3& normal, double limit_mm,
-                                             const Near& near) const {
+                                             const Near& near, double enough_mm) const {
   std::optional<SweptEntry> best;
   double limit = limit_mm;
   for (const std::int32_t move : near.moves) {
@@ -173,9 +178,10 @@ std::optional<SweptEntry> SweptCutter::entry(const Vec3& point_mm, const Vec3& n
     if (const auto t = capsule_entry_mm(centres_[i], centres_[j], ball_radius_mm_, point_mm, normal, limit)) {
       best = SweptEntry{*t, static_cast<std::int32_t>(j)};
       limit = *t;
+      if (limit <= enough_mm) return best;
     }
   }
-  entry_of_places(point_mm, normal, limit, near, best);
+  entry_of_places(point_mm, normal, limit, enough_mm, near, best);
   return best;
 }
 
@@ -187,8 +193,8 @@ bool SweptCutter::within_reach(const StandingCutter& cutter, const Vec3& point_m
   return (w - along * cutter.axis).squaredNorm() <= reach * reach;
 }
 
-void SweptCutter::entry_of_places(const Vec3& point_mm, const Vec3& normal, double limit_mm, const Near& near,
-                                  std::optional<SweptEntry>& best) const {
+void SweptCutter::entry_of_places(const Vec3& point_mm, const Vec3& normal, double limit_mm, double enough_mm,
+                                  const Near& near, std::optional<SweptEntry>& best) const {
   struct Low {
     double height_mm;
     std::int32_t place;
@@ -217,6 +223,7 @@ void SweptCutter::entry_of_places(const Vec3& point_mm, const Vec3& normal, doub
   }
   if (first != nullptr) look(*first);
   for (const Near::Stand& stand : near.stands) {
+    if (limit <= enough_mm) return;
     if (stand.lowest_mm - point_height_mm > limit + slack_mm_) break;
     if (&stand != first && bottom_crossing_mm(stand, point_mm) <= limit + slack_mm_) look(stand);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -47,14 +48,15 @@ class SweptCutter {
       stands.clear();
     }
   };
-  void near(const Vec3& centre_mm, double radius_mm, Near& out) const;
-  /// Makes near things ready for lines in the direction `normal`: flanks that such a line can only meet after the ball
-  /// are left out, the lowest places come first.
-  void face(const Vec3& normal, Near& near) const;
+  /// What lines along `normal` from points within `size_mm` of the middle can meet up to `height_mm`. Flanks that such
+  /// a line can only meet after the ball are left out.
+  void near(const Vec3& middle_mm, double size_mm, const Vec3& normal, double height_mm, Near& out) const;
 
-  /// The lowest entry with height <= limit_mm. Requires: face(normal, near).
+  /// The lowest entry with height <= limit_mm. Where one is as low as `enough_mm` the search ends: what is returned is
+  /// then no higher than that, and need not be the lowest. Requires: near things for this normal.
   [[nodiscard]] std::optional<SweptEntry> entry(const Vec3& point_mm, const Vec3& normal, double limit_mm,
-                                                const Near& near) const;
+                                                const Near& near,
+                                                double enough_mm = -std::numeric_limits<double>::infinity()) const;
 
   [[nodiscard]] bool ball_nose() const { return ball_nose_; }
   [[nodiscard]] const CutterProfile& profile() const { return profile_; }
@@ -70,8 +72,9 @@ class SweptCutter {
   };
   void make_places(const std::vector<SweptPose>& poses, double tolerance_mm);
   void make_trees();
-  void entry_of_places(const Vec3& point_mm, const Vec3& normal, double limit_mm, const Near& near,
+  void entry_of_places(const Vec3& point_mm, const Vec3& normal, double limit_mm, double enough_mm, const Near& near,
                        std::optional<SweptEntry>& best) const;
+  void find_near(const Vec3& centre_mm, double radius_mm, Near& out) const;
   void refine(std::int32_t place, double height_mm, const Vec3& point_mm, const Vec3& normal,
               std::optional<SweptEntry>& best) const;
   /// Is any point of the stretch up to the limit within the cutter's greatest radius of its axis?

@@ -25,6 +25,8 @@ TEST(CutSurface, ScallopOnAPlaneIsTheExactCircles) {
       const auto report = measure_cut_surface(surface, test::ball(1.0), poses, {.uncut_limit_mm = 0.5});
       EXPECT_NEAR(report.scallop_max_mm, exact_scallop(1.0, interval), 1e-3 * exact_scallop(1.0, interval))
           << interval << " " << tilt;
+      test::record_error("error_ppm_" + std::to_string(interval) + "_" + std::to_string(tilt), report.scallop_max_mm,
+                         exact_scallop(1.0, interval));
       EXPECT_NEAR(report.gouge_max_mm, 0.0, 1e-9);
       EXPECT_EQ(report.uncut_area_mm2, 0.0);
       EXPECT_NEAR(report.area_mm2, 100.0, 1e-9);
@@ -72,6 +74,7 @@ TEST(CutSurface, ScallopOnACylinderIsTheExactCircles) {
   const auto report = measure_cut_surface(surface, test::ball(r), poses, {.uncut_limit_mm = 0.1});
   const double expected = scallop_on_round(R, r, angle);
   EXPECT_NEAR(report.scallop_max_mm, expected, 0.01 * expected);
+  test::record_error("error_ppm", report.scallop_max_mm, expected);
   EXPECT_FALSE(report.uncut);
 }
 
@@ -100,6 +103,7 @@ TEST(CutSurface, ScallopOnASphereIsTheExactCircles) {
   const auto report = measure_cut_surface(turned, test::ball(r), poses, {.uncut_limit_mm = 0.2});
   const double expected = scallop_on_round(R, r, angle);
   EXPECT_NEAR(report.scallop_max_mm, expected, 0.01 * expected);
+  test::record_error("error_ppm", report.scallop_max_mm, expected);
   EXPECT_FALSE(report.uncut);
 }
 

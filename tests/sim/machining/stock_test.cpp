@@ -73,6 +73,7 @@ TEST(Stock, AFlatSlotRemovesALengthAndTwoHalfDiscs) {
       removed(stock, test::flat(radius, 30), {pose_at({12, 15, 12 - depth}), pose_at({48, 15, 12 - depth})});
   const double expected = depth * (36.0 * 2 * radius + pi * radius * radius);
   EXPECT_NEAR(volume, expected, 0.005 * expected);
+  test::record_error("error_ppm", volume, expected);
   EXPECT_NEAR(stock.volume_mm3() + volume, 60.0 * 30 * 12, 1e-6 * 21600);
 }
 
@@ -83,6 +84,7 @@ TEST(Stock, ABallGrooveRemovesACircleSegmentTimesItsLength) {
       removed(stock, test::ball(r, 30), {pose_at({-8, 15, 12 - depth}), pose_at({48, 15, 12 - depth})});
   const double half = std::acos((r - depth) / r), segment = r * r * (half - std::sin(half) * std::cos(half));
   EXPECT_NEAR(volume, 40.0 * segment, 0.005 * 40.0 * segment);
+  test::record_error("error_ppm", volume, 40.0 * segment);
 }
 
 TEST(Stock, ATiltedCylinderThroughAPlateRemovesAreaTimesLengthWithin) {
@@ -92,6 +94,7 @@ TEST(Stock, ATiltedCylinderThroughAPlateRemovesAreaTimesLengthWithin) {
   const double volume = removed(stock, test::flat(r, 60), {pose_at(Vec3(20, 20, 5) - 30.0 * axis, axis)});
   const double expected = pi * r * r * 10.0 / std::cos(tilt);
   EXPECT_NEAR(volume, expected, 0.005 * expected);
+  test::record_error("error_ppm", volume, expected);
 }
 
 TEST(Stock, BullAndTaperPlungesRemoveTheirOwnVolume) {
@@ -104,6 +107,7 @@ TEST(Stock, BullAndTaperPlungesRemoveTheirOwnVolume) {
   const double from_axis = R - c * (10 - 3 * pi) / (12 - 3 * pi);
   const double expected_bull = pi * R * R * depth - 2 * pi * from_axis * corner;
   EXPECT_NEAR(bull, expected_bull, 0.005 * expected_bull);
+  test::record_error("error_bull_ppm", bull, expected_bull);
 
   Stock b = Stock::box({-10, -10, 0}, {10, 10, 10}, 0.1);
   const double r = 2.0, t = 0.3;

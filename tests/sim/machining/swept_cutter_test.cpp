@@ -81,8 +81,7 @@ TEST(SweptCutter, EntryEqualsAFineRowOfStandingCuttersForEveryShape) {
     const Vec3 point = poses[1].pose.tip_P_mm + Vec3(uniform(random), uniform(random), 0.0) - 0.5 * normal;
     const SweptCutter swept(cutter, poses, 0.0005);
     SweptCutter::Near near;
-    swept.near(point + normal, 1.0001, near);
-    swept.face(normal, near);
+    swept.near(point, 1e-4, normal, 2.0, near);
     const auto expected = brute_force(cutter, poses, point, normal, 2.0);
     const auto found = swept.entry(point, normal, 2.0, near);
     ASSERT_EQ(expected.has_value(), found.has_value()) << "case " << i;
@@ -99,8 +98,7 @@ TEST(SweptCutter, FlankCutsAWallThatTheBallAlreadyPassed) {
                                      {{Vec3(2.01, 5, 0), Vec3::UnitZ()}, 2, 0, false}};
   const SweptCutter swept(test::ball(2.0), poses, 0.0005);
   SweptCutter::Near near;
-  swept.near(Vec3(0.5, 0, 10), 0.6, near);
-  swept.face(Vec3::UnitX(), near);
+  swept.near(Vec3(0, 0, 10), 0.1, Vec3::UnitX(), 1.0, near);
   const auto entry = swept.entry(Vec3(0, 0, 10), Vec3::UnitX(), 1.0, near);
   ASSERT_TRUE(entry);
   EXPECT_NEAR(entry->height_mm, 0.01, 0.0005);
