@@ -234,6 +234,9 @@ Result<ItemPage> rotary_axes_compared(Workshop& shop, const std::string& name) {
        "either: it calls the result of VTOM nearly a linear interpolation with small fluctuations left, and says of "
        "ATOM "
        "that neither velocity nor acceleration jumps.",
+       "Interferences count CC points with the motion to the next. What TTOM leaves is such a motion: free at both "
+       "ends, "
+       "not on the swing between.",
        "Seconds are of the computer that wrote this page; the other numbers do not depend on it.",
        "The weights that minimise eqs. 27 and 33 as printed depend on how the CC points are spaced. Weighted by arc "
        "length, as "
