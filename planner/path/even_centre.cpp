@@ -8,14 +8,12 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <queue>
 
 #include "geometry/index.hpp"
 #include "geometry/mesh_measure.hpp"
 #include "planner/path/even_field.hpp"
 #include "planner/path/even_path.hpp"
-#include "planner/path/even_resample.hpp"
-#include "planner/surface/condition.hpp"
+#include "planner/path/even_ridge.hpp"
 
 namespace volute::planner {
 
@@ -24,35 +22,7 @@ namespace {
 
 constexpr double hopeless = std::numeric_limits<double>::infinity();
 
-/// Edge-path distance of every vertex from a set, mm; infinite where none is reached.
-std::vector<double> distance_mm(const TriangleMesh& mesh, const std::vector<Index>& sources) {
-  std::vector<std::vector<std::pair<double, Index>>> next(mesh.vertices_mm.size());
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = t[k], b = t[(k + 1) % 3];
-      const double length = (mesh.vertices_mm[at(a)] - mesh.vertices_mm[at(b)]).norm();
-      next[at(a)].emplace_back(length, b);
-      next[at(b)].emplace_back(length, a);
-    }
-  }
-  std::vector<double> out(mesh.vertices_mm.size(), hopeless);
-  std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>, std::greater<>> queue;
-  for (Index v : sources) {
-    out[at(v)] = 0.0;
-    queue.emplace(0.0, v);
-  }
-  while (!queue.empty()) {
-    const auto [distance, v] = queue.top();
-    queue.pop();
-    if (distance > out[at(v)]) continue;
-    for (const auto& [length, w] : next[at(v)]) {
-      if (distance + length >= out[at(w)]) continue;
-      out[at(w)] = distance + length;
-      queue.emplace(out[at(w)], w);
-    }
-  }
-  return out;
-}
+constexpr double ridge_kept_share = 0.15;  ///< of the depth: ways along ridges are as straight as this lets them be
 
 struct Scored {
   double score = hopeless;
@@ -63,12 +33,14 @@ struct Scored {
 class CentreSearch {
  public:
   CentreSearch(const EvenSurface& coarse, const IntervalRule& rule, const CentreSearchOptions& options)
-      : coarse_(coarse), rule_(rule), options_(options) {
+      : coarse_(coarse), rule_(rule), options_(options), ways_(coarse.mesh) {
+    depth_mm_ = ways_.distance_mm(coarse.topology.boundary_loops()[0].vertices);
     const auto& loops = coarse.topology.boundary_loops();
-    depth_mm_ = distance_mm(coarse.mesh, loops[0].vertices);
-    std::vector<Index> all;
-    for (const auto& loop : loops) all.insert(all.end(), loop.vertices.begin(), loop.vertices.end());
-    room_mm_ = distance_mm(coarse.mesh, all);
+    loop_of_.assign(coarse.mesh.vertices_mm.size(), geometry::no_index);
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+      for (Index v : loops[l].vertices) loop_of_[at(v)] = static_cast<Index>(l);
+    }
+    room_mm_ = room_but({});
     const double interval_mm = rule.interval_mm(0.0), roomiest_mm = *std::max_element(room_mm_.begin(), room_mm_.end());
     room_least_mm_ = std::max(0.5 * interval_mm, std::min(1.5 * interval_mm, 0.5 * roomiest_mm));
     for (Index v = 0; v < static_cast<Index>(depth_mm_.size()); ++v) {
@@ -93,18 +65,7 @@ class CentreSearch {
       int& started = s.centre.has_loop() ? loops : slits;
       if (!(s.score < hopeless) || started == (s.centre.has_loop() ? options_.loop_starts : options_.starts)) continue;
       ++started;
-      const auto best = std::min_element(found.begin(), found.end(),
-                                         [](const Scored& a, const Scored& b) { return a.score < b.score; });
-      if (best != found.end() && s.score > options_.grown_within * best->score) {
-        found.push_back(s);
-        continue;
-      }
-      found.push_back(moved_ends(s));
-      for (int arm = 0; arm < options_.arms_max; ++arm) {
-        const Scored more = one_arm_more(found.back());
-        if (!(more.score < (1.0 - options_.arm_gain_min) * found.back().score)) break;
-        found.push_back(moved_ends(more));
-      }
+      grow(s, found);
     }
     std::stable_sort(found.begin(), found.end(), [](const Scored& a, const Scored& b) { return a.score < b.score; });
     return found;
@@ -118,6 +79,63 @@ class CentreSearch {
   }
 
  private:
+  /// Moves the ends of a start and adds arms; every step goes to `found`. A start far behind the best has its arms
+  /// added first, where they stand, and is kept as it is where that does not bring it near.
+  void grow(const Scored& start, std::vector<Scored>& found) {
+    const auto best = std::min_element(found.begin(), found.end(),
+                                       [](const Scored& a, const Scored& b) { return a.score < b.score; });
+    const double near = best == found.end() ? hopeless : options_.grown_within * best->score;
+    Scored grown = along_ridges(start);
+    int arm = 0;
+    const auto add_arm = [&] {
+      const Scored more = one_arm_more(grown);
+      const bool shorter = more.score < (1.0 - options_.arm_gain_min) * grown.score;
+      if (shorter) grown = more;
+      return shorter;
+    };
+    while (options_.ridges && grown.score > near && arm < options_.arms_max && add_arm()) ++arm;
+    if (grown.score > near) {
+      found.push_back(grown);
+      return;
+    }
+    found.push_back(grown = moved_ends(grown));
+    while (arm < options_.arms_max && add_arm()) {
+      ++arm;
+      found.push_back(grown = moved_ends(grown));
+    }
+  }
+
+  /// A single slit laid along the ridge between its ends, where that is shorter.
+  [[nodiscard]] Scored along_ridges(const Scored& straight) {
+    if (!options_.ridges || straight.centre.arms.size() != 1 || straight.centre.has_loop()) return straight;
+    const Arm& arm = straight.centre.arms.front();
+    const auto bent = with_way({geometry::no_index, {}}, {arm.from}, arm.to);
+    if (bent.arms.size() < 2) return straight;
+    const Scored other = scores({bent}).front();
+    return other.score < straight.score ? other : straight;
+  }
+
+  /// Distance from every boundary but those of the holes given, mm.
+  [[nodiscard]] std::vector<double> room_but(const std::vector<Index>& held) const {
+    std::vector<Index> sources;
+    for (std::size_t v = 0; v < loop_of_.size(); ++v) {
+      const Index loop = loop_of_[v];
+      if (loop != geometry::no_index && std::find(held.begin(), held.end(), loop) == held.end())
+        sources.push_back(static_cast<Index>(v));
+    }
+    return ways_.distance_mm(sources);
+  }
+
+  /// The centre with arms along the ridge from one of its nodes (or of `sources`) to a target.
+  [[nodiscard]] Centre with_way(Centre base, const std::vector<Index>& sources, Index target) const {
+    const double kept_mm = std::max(ridge_kept_share * deepest_mm_, 0.5 * rule_.interval_mm(0.0));
+    std::vector<Index> held = loops_of(base);
+    if (loop_of_[at(target)] != geometry::no_index) held.push_back(loop_of_[at(target)]);
+    const auto way = ways_.way(sources, target, held.empty() ? room_mm_ : room_but(held), kept_mm);
+    for (std::size_t i = 1; i < way.size(); ++i) base.arms.push_back({way[i - 1], way[i]});
+    return base;
+  }
+
   /// A slit's end keeps off every boundary: the turns around it need room, as much as there is in narrow parts.
   [[nodiscard]] bool usable(Index v) const {
     return !coarse_.topology.is_boundary_vertex(v) && room_mm_[at(v)] >= room_least_mm_;
@@ -150,10 +168,14 @@ class CentreSearch {
     return out;
   }
 
-  /// Ends of the arms, and the loop's vertices where the centre has one.
+  /// Ends of the arms, and the vertices of every hole that the centre holds.
   [[nodiscard]] std::vector<Index> nodes_of(const Centre& centre) const {
+    const auto& loops = coarse_.topology.boundary_loops();
     std::vector<Index> out;
-    if (centre.has_loop()) out = coarse_.topology.boundary_loops()[at(centre.loop)].vertices;
+    for (const Index loop : loops_of(centre)) {
+      const auto& vertices = loops[at(loop)].vertices;
+      out.insert(out.end(), vertices.begin(), vertices.end());
+    }
     for (const Arm& arm : centre.arms) {
       for (Index v : {arm.from, arm.to}) {
         if (std::find(out.begin(), out.end(), v) == out.end()) out.push_back(v);
@@ -162,14 +184,53 @@ class CentreSearch {
     return out;
   }
 
-  /// The best centre with an arm more, from what is there to a far point. A single slit may be met in its middle.
+  /// Holes that the centre holds: its loop, and those to which an arm leads.
+  [[nodiscard]] std::vector<Index> loops_of(const Centre& centre) const {
+    std::vector<Index> out;
+    if (centre.has_loop()) out.push_back(centre.loop);
+    for (const Arm& arm : centre.arms) {
+      for (Index v : {arm.from, arm.to}) {
+        const Index loop = loop_of_[at(v)];
+        if (loop != geometry::no_index && std::find(out.begin(), out.end(), loop) == out.end()) out.push_back(loop);
+      }
+    }
+    return out;
+  }
+
+  /// A vertex of each hole that the centre does not hold, the nearest to one of its nodes.
+  [[nodiscard]] std::vector<Index> other_holes(const Centre& centre, const std::vector<Index>& nodes) const {
+    const auto held = loops_of(centre);
+    const auto& loops = coarse_.topology.boundary_loops();
+    std::vector<Index> out;
+    for (Index loop = 1; loop < static_cast<Index>(loops.size()); ++loop) {
+      if (std::find(held.begin(), held.end(), loop) != held.end()) continue;
+      Index nearest = geometry::no_index;
+      double least = hopeless;
+      for (Index v : loops[at(loop)].vertices) {
+        for (Index node : nodes) {
+          const double off = (coarse_.mesh.vertices_mm[at(v)] - coarse_.mesh.vertices_mm[at(node)]).squaredNorm();
+          if (off >= least) continue;
+          least = off;
+          nearest = v;
+        }
+      }
+      out.push_back(nearest);
+    }
+    return out;
+  }
+
+  /// The best centre with an arm more, from what is there to a far point (or to another hole). A single slit may be met
+  /// in its middle.
   [[nodiscard]] Scored one_arm_more(const Scored& best) {
     std::vector<Centre> more;
     std::vector<Centre> bases = {best.centre};
     if (const auto bent = with_middle(best.centre)) bases.push_back(*bent);
     for (const Centre& base : bases) {
       const std::vector<Index> nodes = nodes_of(base);
-      for (Index target : far_points(nodes, 0.3, options_.arm_targets)) {
+      std::vector<Index> targets = far_points(nodes, 0.3, options_.arm_targets);
+      const auto holes = options_.ridges ? other_holes(base, nodes) : std::vector<Index>{};
+      targets.insert(targets.end(), holes.begin(), holes.end());
+      for (Index target : targets) {
         const auto off = [&](Index v) {
           return (coarse_.mesh.vertices_mm[at(v)] - coarse_.mesh.vertices_mm[at(target)]).squaredNorm();
         };
@@ -177,6 +238,9 @@ class CentreSearch {
             *std::min_element(nodes.begin(), nodes.end(), [&](Index a, Index b) { return off(a) < off(b); });
         more.push_back(base);
         more.back().arms.push_back({from, target});
+        if (!options_.ridges) continue;
+        const Centre ridge = with_way(base, nodes, target);
+        if (key_of(ridge) != key_of(more.back()) && ridge.arms.size() > base.arms.size()) more.push_back(ridge);
       }
     }
     const std::vector<Scored> scored = scores(more);
@@ -294,74 +358,14 @@ class CentreSearch {
   const EvenSurface& coarse_;
   IntervalRule rule_;
   CentreSearchOptions options_;
+  RidgeWays ways_;
+  std::vector<Index> loop_of_;              ///< per vertex: the boundary loop it lies on
   std::vector<double> depth_mm_, room_mm_;  ///< from the outer boundary; from any boundary
   double deepest_mm_ = 0.0, room_least_mm_ = 0.0;
   std::map<std::vector<Index>, double> known_;  ///< scores by loop and arms
 };
 
-/// The vertex nearest to a place; off the boundaries where asked.
-Index nearest_vertex(const EvenSurface& surface, const Vec3& place, bool inside) {
-  Index out = geometry::no_index;
-  double least = hopeless;
-  for (Index v = 0; v < static_cast<Index>(surface.mesh.vertices_mm.size()); ++v) {
-    const double d = (surface.mesh.vertices_mm[at(v)] - place).squaredNorm();
-    if (d >= least || surface.topology.is_boundary_vertex(v) == inside) continue;
-    least = d;
-    out = v;
-  }
-  return out;
-}
-
 }  // namespace
-
-double promised_length_mm(const EvenDomain& domain, const IntervalRule& rule, std::span<const Vec2> slopes) {
-  constexpr double settled_share = 0.93;  // of the needed gradient, reached on all but 0.5 % of the path
-  double along_mm = 0.0;
-  std::vector<std::pair<double, double>> reached;  // of the needed gradient, and the path length there
-  for (std::size_t t = 0; t < slopes.size(); ++t) {
-    const double slope = slopes[t].norm(), part_mm = domain.operators[t].area_mm2 * slope;
-    const Vec3 direction = domain.operators[t].to_space(slopes[t] / std::max(slope, 1e-12));
-    reached.emplace_back(slope * domain.interval_mm(rule, static_cast<Index>(t), direction), part_mm);
-    along_mm += part_mm;
-  }
-  std::sort(reached.begin(), reached.end());
-  double passed_mm = 0.0, share = 1.0;
-  for (const auto& [ratio, part_mm] : reached) {
-    passed_mm += part_mm;
-    share = ratio;
-    if (passed_mm >= 0.005 * along_mm) break;
-  }
-  const double ends_mm = 0.5 * (domain.outer.length_mm + domain.centre.length_mm);
-  return (ends_mm + along_mm) / std::min(1.0, std::max(share, 0.05) / settled_share);
-}
-
-Result<EvenSurface> coarse_surface(const EvenSurface& surface, int triangles) {
-  const double edge_mm = 1.25 * std::sqrt(geometry::area_mm2(surface.mesh) / triangles);
-  const CoarseMesh coarse = coarser(surface.mesh, edge_mm, 0.1 * edge_mm);
-  auto conditioned = condition(coarse.mesh, {.dihedral_max_rad = 0.8, .deviation_max_mm = 0.2 * edge_mm});
-  if (!conditioned) return tl::unexpected(conditioned.error());
-  return EvenSurface::build(conditioned->mesh);
-}
-
-Centre moved_centre(const EvenSurface& from, const Centre& centre, const EvenSurface& to) {
-  Centre out;
-  for (const Arm& arm : centre.arms) {
-    const auto moved = [&](Index v) {
-      return nearest_vertex(to, from.mesh.vertices_mm[at(v)], !from.topology.is_boundary_vertex(v));
-    };
-    const Arm there{moved(arm.from), moved(arm.to)};
-    if (there.from != there.to) out.arms.push_back(there);
-  }
-  if (!centre.has_loop()) return out;
-  const auto& loop = from.topology.boundary_loops()[at(centre.loop)];
-  const Index vertex = nearest_vertex(to, from.mesh.vertices_mm[at(loop.vertices.front())], false);
-  const auto& loops = to.topology.boundary_loops();
-  for (Index l = 1; l < static_cast<Index>(loops.size()); ++l) {
-    const auto& v = loops[at(l)].vertices;
-    if (std::find(v.begin(), v.end(), vertex) != v.end()) out.loop = l;
-  }
-  return out;
-}
 
 Result<std::vector<Centre>> choose_centres(const EvenSurface& surface, const IntervalRule& rule,
                                            const PathOptions& options, const CentreSearchOptions& search) {

@@ -86,9 +86,16 @@ Result<Opened> open_along(const EvenSurface& surface, const Centre& centre) {
     const auto& loop = surface.topology.boundary_loops()[at(centre.loop)].vertices;
     cut_vertices.insert(loop.begin(), loop.end());
   }
+  const auto& loops = surface.topology.boundary_loops();
   for (const Arm& arm : centre.arms) {
     VOLUTE_CHECK(arm.from != arm.to, arm.from);
     if (auto laid = lay_arm(out, arm, cut_vertices, cut_edges); !laid) return tl::unexpected(laid.error());
+    // A hole at either end is part of the centre from now on: a second way there would close a ring.
+    for (std::size_t l = 1; l < loops.size(); ++l) {
+      const auto& v = loops[l].vertices;
+      if (std::any_of(v.begin(), v.end(), [&](Index i) { return i == arm.from || i == arm.to; }))
+        cut_vertices.insert(v.begin(), v.end());
+    }
   }
   if (!centre.has_loop() && cut_edges.size() < 2) {
     return geometry::bad_input("surface-slit-short",

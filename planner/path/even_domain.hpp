@@ -26,14 +26,14 @@ struct EvenSurface {
   [[nodiscard]] Result<EvenSurface> refined(double edge_max_mm) const;
 };
 
-/// A cut between two vertices; `to` lies inside.
+/// A cut between two vertices; `to` lies inside, or on another hole, which then belongs to the centre.
 struct Arm {
   Index from = geometry::no_index, to = geometry::no_index;
 };
 /// Where the spiral ends: a boundary loop, a tree of slits, or a loop with slits growing out of it.
 struct Centre {
   Index loop = geometry::no_index;  ///< boundary loop, by falling length, not 0
-  std::vector<Arm> arms;            ///< each starts where an earlier one starts or ends, or on the loop
+  std::vector<Arm> arms;            ///< each starts where an earlier one starts or ends, or on a hole of the centre
 
   [[nodiscard]] bool has_loop() const { return loop != geometry::no_index; }
 };

@@ -21,7 +21,8 @@ namespace {
 using geometry::Angle;
 using geometry::Vec2;
 
-constexpr double scallop_kept = 1.2;     ///< times the allowed one: with more, another centre is tried
+constexpr double scallop_kept = 1.2;  ///< times the allowed one: with more, another centre is tried
+constexpr double near_bound = 1.53;   ///< times the bound: where a path is longer, more centres are searched and tried
 constexpr double map_hole_radius = 1.0;  ///< of the centre in the picture, turns
 
 Vec2 in_map(const EvenField& field, double theta, double phi) {
@@ -151,9 +152,9 @@ Result<Planned> planned_around(const EvenSurface& surface, const EvenSurface& co
 }
 
 /// The shortest first, then the one with the fewest arms (short arms on a small part leave no room for turns around
-/// their tips), then the next.
-std::vector<std::size_t> tried_in_order(const std::vector<Finalist>& finalists) {
-  constexpr std::size_t tries_max = 3;
+/// their tips); of the longer search the two shortest.
+std::vector<std::size_t> tried_in_order(const std::vector<Finalist>& finalists, bool ridges) {
+  constexpr std::size_t tries_max = 2;
   std::vector<std::size_t> order;
   const auto add = [&](std::size_t i) {
     if (i < finalists.size() && std::find(order.begin(), order.end(), i) == order.end()) order.push_back(i);
@@ -162,7 +163,7 @@ std::vector<std::size_t> tried_in_order(const std::vector<Finalist>& finalists) 
     return a.centre.arms.size() < b.centre.arms.size();
   });
   add(0);
-  add(static_cast<std::size_t>(simplest - finalists.begin()));
+  if (!ridges) add(static_cast<std::size_t>(simplest - finalists.begin()));
   for (std::size_t i = 1; order.size() < std::min(tries_max, finalists.size()); ++i) add(i);
   return order;
 }
@@ -172,11 +173,19 @@ double weight(const EvenRound& round) {
   return round.length_mm * (1.0 + std::max(0.0, round.scallop.max_ratio - scallop_kept));
 }
 
+/// The best few centres of a search on the coarse mesh, with their fields.
+Result<std::vector<Finalist>> searched_finalists(const EvenSurface& coarse, const IntervalRule& rule,
+                                                 const PathOptions& options, double ramp_share, bool ridges) {
+  constexpr std::size_t finalists_max = 4;
+  const auto centres = choose_centres(coarse, rule, options, {.ridges = ridges});
+  if (!centres) return tl::unexpected(centres.error());
+  return finalists_of(coarse, std::span(*centres).first(std::min(centres->size(), finalists_max)), rule, ramp_share);
+}
+
 /// The centre found on a coarse mesh, the best few weighed by a better field, and the path around it; around another
-/// where it falls into pieces or leaves far more than the scallop.
+/// where it falls into pieces or leaves far more than the scallop, at last around one that a longer search finds.
 Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options) {
   constexpr int coarse_triangles = 5000;
-  constexpr std::size_t finalists_max = 4;
   const double ramp_share = ramp_share_of(surface, rule);
   const auto coarse = coarse_surface(surface, coarse_triangles);
   if (!coarse) return tl::unexpected(coarse.error());
@@ -184,17 +193,18 @@ Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& ru
   if (options.centre_loop > 0 && options.centre_loop < static_cast<int>(surface.topology.boundary_loops().size())) {
     on_coarse.centre_loop = moved_centre(surface, {Index{options.centre_loop}, {}}, *coarse).loop;
   }
-  const auto centres = choose_centres(*coarse, rule, on_coarse);
-  if (!centres) return tl::unexpected(centres.error());
   Result<Planned> planned = geometry::bad_input("path-even-broken", "no centre was tried");
-  auto finalists =
-      finalists_of(*coarse, std::span(*centres).first(std::min(centres->size(), finalists_max)), rule, ramp_share);
-  if (!finalists) return tl::unexpected(finalists.error());
-  for (const std::size_t i : tried_in_order(*finalists)) {
-    auto next = planned_around(surface, *coarse, (*finalists)[i], rule, ramp_share);
-    if (next && planned && weight(next->round) >= weight(planned->round)) continue;
-    if (next || !planned) planned = std::move(next);
-    if (planned && planned->round.scallop.max_ratio <= scallop_kept) break;
+  const auto held = [&] { return planned && planned->round.scallop.max_ratio <= scallop_kept; };
+  for (const bool ridges : {false, true}) {
+    auto finalists = searched_finalists(*coarse, rule, on_coarse, ramp_share, ridges);
+    if (!finalists) return ridges ? std::move(planned) : tl::unexpected(finalists.error());
+    for (const std::size_t i : tried_in_order(*finalists, ridges)) {
+      auto next = planned_around(surface, *coarse, (*finalists)[i], rule, ramp_share);
+      if (next && planned && weight(next->round) >= weight(planned->round)) continue;
+      if (next || !planned) planned = std::move(next);
+      if (held()) return planned;
+    }
+    if (options.centre_loop > 0) break;
   }
   return planned;
 }

@@ -9,6 +9,7 @@
 #include "planner/path/even_collar.hpp"
 #include "planner/path/even_domain.hpp"
 #include "planner/path/even_ending.hpp"
+#include "planner/path/even_ridge.hpp"
 #include "planner/path/even_rounding.hpp"
 #include "tests/planner/path/sample_surfaces.hpp"
 
@@ -64,6 +65,58 @@ TEST(EvenCentre, AnArmOutOfAHoleJoinsItsLoop) {
   EXPECT_EQ(domain->topology.boundary_loops().size(), 2u);
   EXPECT_NEAR(loop_mm(*domain), hole.length_mm + 2.0 * (12.0 - start_mm), 0.1);
   EXPECT_TRUE(slit_line(*domain).empty());
+}
+
+// Closed form: holes joined by a cut are one loop, as long as both and the cut's two sides. Neither floats any more.
+TEST(EvenCentre, AnArmBetweenTwoHolesJoinsThem) {
+  const EvenSurface surface = flat_plate({{-9.0, 0.0, 4.0}, {9.0, 0.0, 5.0}});
+  const auto& loops = surface.topology.boundary_loops();
+  ASSERT_EQ(loops.size(), 3u);
+  const Index from = vertex_at(surface, 4.0, 0.0), to = vertex_at(surface, -5.0, 0.0);
+  const double gap_mm = (surface.mesh.vertices_mm[static_cast<std::size_t>(from)] -
+                         surface.mesh.vertices_mm[static_cast<std::size_t>(to)])
+                            .norm();
+  // The second arm to the same hole would close a ring around a part of the plate: it is left out.
+  const Centre centre{Index{1}, {{from, to}, {from, vertex_at(surface, -9.0, 4.0)}}};
+  const auto domain = even_domain(surface, centre);
+  ASSERT_TRUE(domain.has_value()) << domain.error().message;
+  EXPECT_EQ(domain->topology.boundary_loops().size(), 2u);
+  EXPECT_EQ(domain->topology.components().size(), 1u);
+  EXPECT_TRUE(domain->floating.empty());
+  EXPECT_NEAR(loop_mm(*domain), loops[1].length_mm + loops[2].length_mm + 2.0 * gap_mm, 0.05);
+  for (Index v : domain->centre.vertices) EXPECT_NEAR(domain->harmonic[static_cast<std::size_t>(v)], 1.0, 1e-12);
+}
+
+// Closed form: along the edges of a grid the way between two vertices of a row is its length.
+TEST(EvenRidge, DistancesFollowTheEdges) {
+  const EvenSurface surface = flat_plate({});
+  const RidgeWays ways(surface.mesh);
+  const Index from = vertex_at(surface, -10.0, 3.0);
+  const auto distance = ways.distance_mm({from});
+  EXPECT_EQ(distance[static_cast<std::size_t>(from)], 0.0);
+  for (double x : {-9.0, 0.0, 7.0, 20.0})
+    EXPECT_NEAR(distance[static_cast<std::size_t>(vertex_at(surface, x, 3.0))], x + 10.0, 1e-9);
+}
+
+// In a ring the ridge is the circle midway; the shortest way would hug the hole.
+TEST(EvenRidge, AWayRoundARingKeepsToTheMiddle) {
+  const auto ring = EvenSurface::build(samples::ring(10.0, 20.0, 120, 12));
+  ASSERT_TRUE(ring.has_value());
+  const RidgeWays ways(ring->mesh);
+  std::vector<Index> boundary;
+  for (const auto& loop : ring->topology.boundary_loops())
+    boundary.insert(boundary.end(), loop.vertices.begin(), loop.vertices.end());
+  const auto room = ways.distance_mm(boundary);
+  const Index from = vertex_at(*ring, 15.0, 0.0), to = vertex_at(*ring, -15.0, 0.5);
+  const auto way = ways.way({from}, to, room, 0.0);
+  ASSERT_GT(way.size(), 20u);
+  EXPECT_EQ(way.front(), from);
+  EXPECT_EQ(way.back(), to);
+  for (Index v : way) EXPECT_NEAR(ring->mesh.vertices_mm[static_cast<std::size_t>(v)].norm(), 15.0, 1.5);
+  const auto straighter = ways.way({from}, to, room, 2.0);
+  EXPECT_LT(straighter.size(), 8u);
+  EXPECT_GE(straighter.size(), 3u);
+  EXPECT_TRUE(ways.way({}, to, room, 0.0).empty());
 }
 
 // The second arm would cross the first one, and starts on it instead: still one loop, no ring, no loose triangle.
