@@ -316,7 +316,15 @@ class JobReader {
 
 }  // namespace
 
-geometry::Result<Job> load_job(const std::filesystem::path& file) { return JobReader(file).read(); }
+geometry::Result<Job> load_job(const std::filesystem::path& file) {
+  for (const char* ending : {".stl", ".ply", ".off", ".obj"})
+    if (file.extension() == ending)
+      return geometry::bad_input("job-is-a-surface",
+                                 file.string() + " is a surface; a job file (TOML) names it as surface = \"" +
+                                     file.filename().string() +
+                                     "\": copy one of examples/*.toml and change it, docs/job-file.md tells its keys");
+  return JobReader(file).read();
+}
 
 geometry::Result<kinematics::Setup> parse_setup(const std::string& text) {
   kinematics::Setup setup;

@@ -72,6 +72,13 @@ TEST_P(BadMeshes, RefusedByInspectAndByRun) {
   EXPECT_EQ(text_of(folder / "out" / "report.json"), "from before");
 }
 
+TEST(BadJob, ASurfaceInItsPlaceIsNamedWithTheRemedy) {
+  const auto folder = scratch_folder("surface-as-job");
+  write_text(folder / "plate.stl", plate_stl(10, 10));
+  expect_refused(run_volute("run plate.stl --out out", folder), "surface = \"plate.stl\"");
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
 /// A header that claims two hundred million triangles in a file of 84 bytes: 10 GB.
 std::string giant_claim() { return std::string(80, ' ') + std::string("\x00\xc2\xeb\x0b", 4); }
 
