@@ -295,7 +295,7 @@ class JobReader {
 
   void read_stock() {
     const toml::table& stock = reader_.optional_table(root(), "", "stock");
-    reader_.only_keys(stock, "stock", {"solid", "low_mm", "high_mm", "allowance_mm", "grid_mm", "skip"});
+    reader_.only_keys(stock, "stock", {"solid", "near_net_mm", "low_mm", "high_mm", "allowance_mm", "grid_mm", "skip"});
     StockJob& out = job_.stock;
     out.skip = reader_.boolean(stock, "stock", "skip", false);
     if (stock.contains("solid")) out.solid_file = beside(reader_.text(stock, "stock", "solid"));
@@ -305,7 +305,13 @@ class JobReader {
       reader_.refuse(&stock, "stock", "a box needs both corners, low_mm and high_mm");
     if (!out.solid_file.empty() && out.low_mm)
       reader_.refuse(stock.get("low_mm"), "stock.low_mm", "stands beside stock.solid; give the box or the solid");
-    out.given = !out.solid_file.empty() || out.low_mm || stock.contains("allowance_mm");
+    if (stock.contains("near_net_mm")) {
+      out.near_net_mm = not_negative(stock, "stock", "near_net_mm", 0.0);
+      if (!out.solid_file.empty() || out.low_mm || stock.contains("allowance_mm"))
+        reader_.refuse(stock.get("near_net_mm"), "stock.near_net_mm",
+                       "stands beside a solid, a box or allowance_mm; give one of them");
+    }
+    out.given = !out.solid_file.empty() || out.low_mm || out.near_net_mm || stock.contains("allowance_mm");
     out.allowance_mm = not_negative(stock, "stock", "allowance_mm", out.allowance_mm);
     if (stock.contains("grid_mm")) out.grid_mm = reader_.positive(stock, "stock", "grid_mm");
   }

@@ -18,8 +18,9 @@ struct StockJob {
   bool given = false, skip = false;
   std::filesystem::path solid_file;  ///< a closed mesh; empty: a box
   std::optional<geometry::Vec3> low_mm, high_mm;
-  double allowance_mm = 1.0;  ///< of a block about the part, when neither solid nor box is given
-  double grid_mm = 0.0;       ///< 0: chosen
+  std::optional<double> near_net_mm;  ///< the surface and so much more along its normals
+  double allowance_mm = 1.0;          ///< of a block about the part, when neither solid nor box is given
+  double grid_mm = 0.0;               ///< 0: chosen
 };
 
 struct Job {

@@ -52,8 +52,9 @@ std::optional<sim::StockSetup> stock_setup(const JobInputs& inputs) {
   const StockJob& stock = inputs.job.stock;
   if (stock.skip) return std::nullopt;
   sim::StockSetup setup = sim::assumed_stock(inputs.surface, stock.allowance_mm);
+  if (stock.near_net_mm) setup = sim::near_net_stock(inputs.surface, *stock.near_net_mm);
   if (stock.low_mm) setup.box_P_mm = Eigen::AlignedBox3d(*stock.low_mm, *stock.high_mm);
-  setup.solid_P = inputs.stock;
+  if (inputs.stock) setup.solid_P = inputs.stock;
   setup.grid_mm = stock.grid_mm;
   setup.assumed = !stock.given;
   return setup;

@@ -1,7 +1,11 @@
 #include "sim/machining/stock_setup.hpp"
 
 #include <cmath>
+#include <set>
+#include <utility>
 
+#include "geometry/check.hpp"
+#include "geometry/mesh_measure.hpp"
 #include "geometry/number_text.hpp"
 
 namespace volute::sim {
@@ -26,6 +30,35 @@ StockSetup assumed_stock(const geometry::TriangleMesh& surface_P, double allowan
   setup.box_P_mm.max().array() += allowance_mm;
   setup.assumed = true;
   return setup;
+}
+
+StockSetup near_net_stock(const geometry::TriangleMesh& surface_P, double allowance_mm) {
+  StockSetup setup;
+  setup.solid_P = near_net_blank(surface_P, allowance_mm);
+  return setup;
+}
+
+geometry::TriangleMesh near_net_blank(const geometry::TriangleMesh& surface_P, double allowance_mm) {
+  VOLUTE_CHECK(allowance_mm >= 0.0, allowance_mm);
+  using geometry::Index;
+  const std::vector<Vec3> normals = geometry::vertex_normals(surface_P);
+  const auto inner = static_cast<Index>(surface_P.vertices_mm.size());
+  geometry::TriangleMesh skin;
+  for (const double out_mm : {allowance_mm, -near_net_body_mm})
+    for (std::size_t v = 0; v < normals.size(); ++v)
+      skin.vertices_mm.push_back(surface_P.vertices_mm[v] + out_mm * normals[v]);
+  std::set<std::pair<Index, Index>> edges;
+  for (const geometry::Triangle& t : surface_P.triangles) {
+    skin.triangles.push_back(t);
+    skin.triangles.push_back({t[0] + inner, t[2] + inner, t[1] + inner});
+    for (std::size_t k = 0; k < 3; ++k) edges.insert({t[k], t[(k + 1) % 3]});
+  }
+  for (const auto& [from, to] : edges) {
+    if (edges.contains({to, from})) continue;
+    skin.triangles.push_back({to, from, from + inner});
+    skin.triangles.push_back({to, from + inner, to + inner});
+  }
+  return skin;
 }
 
 double default_stock_grid_mm(const StockSetup& setup) {

@@ -17,6 +17,18 @@ struct StockSetup {
 /// The box about a surface and `allowance_mm` more on every side, as an assumed stock.
 StockSetup assumed_stock(const geometry::TriangleMesh& surface_P, double allowance_mm);
 
+/// What a semi-finished part is made of: the surface and `allowance_mm` more along its normals.
+StockSetup near_net_stock(const geometry::TriangleMesh& surface_P, double allowance_mm);
+
+/// A semi-finished part as a closed skin: the surface moved out along its vertex normals by `allowance_mm`, and in by
+/// `near_net_body_mm`, joined at the boundaries. What lies deeper in the part is left out: nothing may come there
+/// anyway. Requires: an oriented mesh, allowance >= 0.
+/// Properties: 1. Every edge has two triangles, of opposite direction. 2. On a sphere of radius R its volume is that of
+/// the shell between R - near_net_body_mm and R + allowance. Where the surface bends more tightly than these distances
+/// the skin folds over itself, within about as much.
+geometry::TriangleMesh near_net_blank(const geometry::TriangleMesh& surface_P, double allowance_mm);
+constexpr double near_net_body_mm = 1.5;
+
 /// A two-hundredth of the longest side: coarse enough for a default, fine enough for holders.
 double default_stock_grid_mm(const StockSetup& setup);
 

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <map>
+#include <numbers>
+
 #include "shapes.hpp"
 #include "sim/machining/stock_setup.hpp"
 
@@ -168,6 +171,39 @@ TEST(StockRun, DoesNotDependOnTheNumberOfThreads) {
   for (std::size_t i = 0; i < a.removed.size(); ++i) EXPECT_EQ(a.removed[i].removed_mm3, b.removed[i].removed_mm3);
   ASSERT_EQ(a.findings.size(), b.findings.size());
   for (std::size_t i = 0; i < a.findings.size(); ++i) EXPECT_EQ(a.findings[i].text, b.findings[i].text);
+}
+
+TEST(MakeStock, ANearNetBlankIsAClosedShell) {
+  // A quarter of the sphere of radius 20 between latitudes 10 and 60 degrees: its walls are radial.
+  constexpr double radius_mm = 20.0, allowance_mm = 0.5, low_rad = std::numbers::pi / 18,
+                   high_rad = std::numbers::pi / 3;
+  const auto surface = test::sheet(60, 40, [&](double u, double v) {
+    const double longitude = 0.5 * std::numbers::pi * u, latitude = low_rad + v * (high_rad - low_rad);
+    return Vec3(radius_mm * std::cos(latitude) * std::cos(longitude),
+                radius_mm * std::cos(latitude) * std::sin(longitude), radius_mm * std::sin(latitude));
+  });
+  const auto blank = near_net_blank(surface, allowance_mm);
+  std::map<std::pair<geometry::Index, geometry::Index>, int> directed;
+  double volume_mm3 = 0.0;
+  for (const auto& t : blank.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) ++directed[{t[k], t[(k + 1) % 3]}];
+    const auto& v = blank.vertices_mm;
+    const auto at = [&](std::size_t k) { return v[static_cast<std::size_t>(t[k])]; };
+    volume_mm3 += at(0).dot(at(1).cross(at(2))) / 6.0;
+  }
+  for (const auto& [edge, count] : directed) {
+    ASSERT_EQ(count, 1) << edge.first << " " << edge.second;
+    ASSERT_EQ(directed.count({edge.second, edge.first}), 1U) << edge.first << " " << edge.second;
+  }
+  const auto cube = [](double r) { return r * r * r; };
+  const double shell_mm3 = 0.5 * std::numbers::pi * (std::sin(high_rad) - std::sin(low_rad)) / 3.0 *
+                           (cube(radius_mm + allowance_mm) - cube(radius_mm - near_net_body_mm));
+  EXPECT_NEAR(volume_mm3, shell_mm3, 0.02 * shell_mm3);
+  const StockSetup setup = near_net_stock(surface, allowance_mm);
+  EXPECT_FALSE(setup.assumed);
+  const auto stock = make_stock(setup);
+  ASSERT_TRUE(stock) << stock.error().message;
+  EXPECT_NEAR(stock->volume_mm3(), shell_mm3, 0.02 * shell_mm3);
 }
 
 TEST(MakeStock, ABoxAMeshAndWhatIsRefused) {
