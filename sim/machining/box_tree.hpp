@@ -1,6 +1,7 @@
 // A tree of boxes: which of many things come near a ball. Cost per question grows with the logarithm of their number.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -40,6 +41,36 @@ class BoxTree {
         stack[depth++] = node.first;
       }
     }
+  }
+
+  /// The least of square_mm2(item) over all items, or `within_mm2` where none is less. Requires: square_mm2(item) is no
+  /// less than the squared distance of its box.
+  template <class Square>
+  double nearest_sq(const geometry::Vec3& point_mm, double within_mm2, Square&& square_mm2) const {
+    if (nodes_.empty()) return within_mm2;
+    std::int32_t stack[64];
+    int depth = 0;
+    stack[depth++] = 0;
+    double least = within_mm2;
+    while (depth > 0) {
+      const Node& node = nodes_[static_cast<std::size_t>(stack[--depth])];
+      if (node.box.squaredExteriorDistance(point_mm) >= least) continue;
+      if (node.count > 0) {
+        for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+          const auto at = static_cast<std::size_t>(i);
+          if (boxes_[at].squaredExteriorDistance(point_mm) < least) least = std::min(least, square_mm2(items_[at]));
+        }
+      } else {
+        // The nearer half is looked at first.
+        const auto far_sq = [&](std::int32_t child) {
+          return nodes_[static_cast<std::size_t>(child)].box.squaredExteriorDistance(point_mm);
+        };
+        const bool left_first = far_sq(node.first) <= far_sq(node.right);
+        stack[depth++] = left_first ? node.right : node.first;
+        stack[depth++] = left_first ? node.first : node.right;
+      }
+    }
+    return least;
   }
 
  private:

@@ -97,6 +97,7 @@ Extreme zoom_cell(const SweptCutter& cutter, const Cell& whole, const Vec3& norm
     const bool better = sought == Sought::highest ? (entry && height > best.height_mm) : height < best.height_mm;
     if (better) best = {height, entry->pose, point};
   };
+  take(whole.centroid());  // the sample itself
   for (int level = 0; level < levels; ++level) {
     for (const Vec3& corner : {cell.a, cell.b, cell.c}) take(corner);
     for (int k = 0; k < cuts * cuts; ++k) take(child_cell(cell, cuts, k).centroid());

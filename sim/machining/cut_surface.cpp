@@ -61,7 +61,7 @@ struct Measurement {
     return out;
   }
   [[nodiscard]] std::vector<Extreme> highest() const;
-  [[nodiscard]] std::vector<Extreme> deepest() const;
+  [[nodiscard]] std::vector<Extreme> deepest(const SurfaceFacets& facets) const;
 };
 
 std::vector<Extreme> Measurement::highest() const {
@@ -74,12 +74,18 @@ std::vector<Extreme> Measurement::highest() const {
   return zoom(cutter, samples, cells, heights, Sought::highest);
 }
 
-std::vector<Extreme> Measurement::deepest() const {
+std::vector<Extreme> Measurement::deepest(const SurfaceFacets& facets) const {
   // The spacing lets a gouge of the limit show at half its depth at least in one sample; less deep ones only move
   // gouge_max.
   const auto cells = first_samples(where([&](double h) { return h < -1e-7; }), zoom_deep_max,
                                    [&](auto a, auto b) { return height(a) < height(b); });
-  return zoom(cutter, samples, cells, heights, Sought::deepest);
+  std::vector<Extreme> found = zoom(cutter, samples, cells, heights, Sought::deepest);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i].height_mm >= 0.0) continue;
+    const Vec3& normal = samples.normal(samples.patch_of(cells[i]).triangle);
+    found[i].height_mm = -facets.buried_mm(found[i].point_mm, normal, -found[i].height_mm);
+  }
+  return found;
 }
 
 void add_areas(const Measurement& m, CutSurfaceReport& report) {
@@ -186,8 +192,9 @@ CutSurfaceReport measure_cut_surface(const geometry::TriangleMesh& surface, cons
   report.samples = samples.count();
   add_areas(measurement, report);
   add_histogram(measurement, report);
-  std::vector<Extreme> deepest = measurement.deepest();
-  const auto notches = deepest_notches(swept, surface, 0.1 * options.gouge_limit_mm, zoom_deep_max);
+  const SurfaceFacets facets(surface);
+  std::vector<Extreme> deepest = measurement.deepest(facets);
+  const auto notches = deepest_notches(swept, facets, 0.1 * options.gouge_limit_mm, zoom_deep_max);
   deepest.insert(deepest.end(), notches.begin(), notches.end());
   add_gouges(std::move(deepest), poses, cutter.radius_mm, options.gouge_limit_mm, report);
   add_uncut(measurement.highest(), poses, options, report);

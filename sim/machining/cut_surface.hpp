@@ -49,12 +49,13 @@ struct CutSurfaceReport {
 /// The deviation of a surface point is the least height along the outward normal of its triangle at which any moment's
 /// cutter begins: positive, material stands above the design surface (scallop, uncut); negative, the cutter went below
 /// it (gouge). A cutter that lies wholly below the point (on the far side of a thin wall or behind a sharp edge) does
-/// not count. Within `search_height_mm` above the point no cutter: nothing came near, which counts as uncut.
-/// scallop_max_mm and gouge_max_mm are sought between the samples too: by zooming into the cells that can hold them,
-/// and for noses other than balls from the cutter's side (`deepest_notches`), since a sharp corner's notch is narrower
-/// than any spacing. Accuracy: ball noses exact for the poses given; flanks, flat and bull noses within
-/// `sweep_tolerance_mm`. Properties: 1. The report does not depend on the number of threads. 2. A surface moved with
-/// its poses has the same deviations.
+/// not count, and a gouge is no deeper than the material that it took lay under the whole surface (at a sharp edge less
+/// than along the normal: `SurfaceFacets::buried_mm`). Within `search_height_mm` above the point no cutter: nothing
+/// came near, which counts as uncut. scallop_max_mm and gouge_max_mm are sought between the samples too: by zooming
+/// into the cells that can hold them, and for noses other than balls from the cutter's side (`deepest_notches`), since
+/// a sharp corner's notch is narrower than any spacing. Accuracy: ball noses exact for the poses given; flanks, flat
+/// and bull noses within `sweep_tolerance_mm`. Properties: 1. The report does not depend on the number of threads. 2. A
+/// surface moved with its poses has the same deviations.
 /// 3. scallop_max_mm on a plane under parallel passes of a ball is r - sqrt(r^2 - (interval / 2)^2) within 0.1 %.
 /// Requires: a cutter that kinematics::validate accepts, unit axes, a surface without degenerate triangles,
 /// uncut_limit_mm > 0, gouge_limit_mm > 0. No poses: everything is uncut.

@@ -141,7 +141,8 @@ std::optional<double> line_entry_mm(const CutterProfile& profile, const Standing
   const double at_point = line.at(0.0).distance;
   if (at_point > 0.0) return newton_up(line, 0.0, limit_mm);
   const double below = -2.0 * (profile.length_mm() + profile.greatest_radius_mm());
-  return newton_up(line, below, limit_mm);
+  // What rises along the line begins no lower than the plane of the bottom: a flat end that faces it exactly there.
+  return newton_up(line, rise > 0.0 ? std::max(below, below_bottom_mm / rise) : below, limit_mm);
 }
 
 }  // namespace volute::sim

@@ -9,7 +9,7 @@
 namespace volute::sim {
 namespace {
 
-/// A triangle's foot of the deepest point of a standing cutter.
+/// Where on a triangle a standing cutter reaches deepest below it.
 struct Notch {
   double depth_mm = 0.0;
   std::int32_t place = 0;
@@ -39,78 +39,131 @@ void keep_deepest(std::vector<Notch>& notches, double size_mm, std::size_t most)
 
 class NotchSearch {
  public:
-  NotchSearch(const SweptCutter& cutter, const geometry::TriangleMesh& surface) : cutter_(cutter), surface_(surface) {
-    std::vector<Box> boxes;
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-      Box box;
-      for (std::size_t k = 0; k < 3; ++k) box.extend(corner(t, k));
-      boxes.push_back(box);
-      normals_.push_back((corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).normalized());
-    }
-    tree_ = BoxTree(boxes);
-  }
+  NotchSearch(const SweptCutter& cutter, const SurfaceFacets& facets, double beyond_mm)
+      : cutter_(cutter), facets_(facets), beyond_mm_(beyond_mm) {}
 
-  void at_place(std::int32_t place, double beyond_mm, std::vector<Notch>& out) const {
-    const CutterProfile& profile = cutter_.profile();
+  void at_place(std::int32_t place, std::vector<Notch>& out) const {
     const StandingCutter& stand = cutter_.place(place);
     // The nose lies within this of the arc's height on the axis.
-    const double height = profile.corner_radius_mm();
-    tree_.near(stand.tip_mm + height * stand.axis, std::hypot(profile.greatest_radius_mm(), height), [&](auto t) {
-      const auto triangle = static_cast<std::size_t>(t);
-      const Vec3& normal = normals_[triangle];
-      const double down = -normal.dot(stand.axis);
-      const Vec2 lowest = profile.support(down);
-      const Vec3 out_of_axis = -normal - down * stand.axis;
-      const double length = out_of_axis.norm();
-      const Vec3 deepest = stand.tip_mm + lowest.y() * stand.axis +
-                           (length > 1e-12 ? Vec3(lowest.x() / length * out_of_axis) : Vec3(Vec3::Zero()));
-      const double depth = -normal.dot(deepest - corner(triangle, 0));
-      if (depth <= beyond_mm || depth > 2.0 * profile.greatest_radius_mm()) return;
-      const Vec3 foot = deepest + depth * normal;
-      if (holds(triangle, foot)) out.push_back({depth, place, t, foot});
-    });
+    const double radius = cutter_.profile().greatest_radius_mm(), height = cutter_.profile().corner_radius_mm();
+    facets_.tree().near(stand.tip_mm + height * stand.axis, std::hypot(radius, height),
+                        [&](std::int32_t t) { under_triangle(stand, place, t, out); });
   }
 
   /// As the cut surface defines it: what the whole sweep does at the foot.
   [[nodiscard]] Extreme measured(const Notch& notch) const {
-    const Vec3& normal = normals_[static_cast<std::size_t>(notch.triangle)];
+    const Vec3& normal = facets_.normal(static_cast<std::size_t>(notch.triangle));
     SweptCutter::Near near;
     cutter_.near(notch.foot_mm, 0.0, normal, 0.0, near);
     const auto entry = cutter_.entry(notch.foot_mm, normal, 0.0, near);
-    return entry ? Extreme{entry->height_mm, entry->pose, notch.foot_mm} : Extreme{0.0, -1, notch.foot_mm};
+    if (!entry) return {0.0, -1, notch.foot_mm};
+    return {-facets_.buried_mm(notch.foot_mm, normal, -entry->height_mm), entry->pose, notch.foot_mm};
   }
 
  private:
-  [[nodiscard]] const Vec3& corner(std::size_t triangle, std::size_t k) const {
-    return surface_.vertices_mm[static_cast<std::size_t>(surface_.triangles[triangle][k])];
-  }
-  [[nodiscard]] bool holds(std::size_t triangle, const Vec3& point) const {
+  void under_triangle(const StandingCutter& stand, std::int32_t place, std::int32_t t, std::vector<Notch>& out) const {
+    const auto triangle = static_cast<std::size_t>(t);
+    const CutterProfile& profile = cutter_.profile();
+    const Vec3& normal = facets_.normal(triangle);
+    const double down = -normal.dot(stand.axis);
+    const Vec2 lowest = profile.support(down);
+    const Vec3 out_of_axis = -normal - down * stand.axis;
+    const double length = out_of_axis.norm();
+    const Vec3 away = length > 1e-12 ? Vec3(out_of_axis / length) : Vec3(Vec3::Zero());
+    const Vec3 deepest = stand.tip_mm + lowest.y() * stand.axis + lowest.x() * away;
+    const double depth = -normal.dot(deepest - facets_.corner(triangle, 0));
+    if (depth <= beyond_mm_ || depth > 2.0 * profile.greatest_radius_mm()) return;
+    if (passes_by(stand, triangle, away)) return;
+    const Vec3 foot = deepest + depth * normal;
+    bool held = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 &a = corner(triangle, k), &b = corner(triangle, (k + 1) % 3);
-      if ((b - a).cross(point - a).dot(normals_[triangle]) < -1e-9 * (b - a).norm()) return false;
+      const Vec3 &a = facets_.corner(triangle, k), &b = facets_.corner(triangle, (k + 1) % 3);
+      if ((b - a).cross(foot - a).dot(normal) >= -1e-9 * (b - a).norm()) continue;
+      held = false;
+      under_edge(stand, place, t, a, b, out);
     }
-    return true;
+    if (held) take({depth, place, t, foot}, out);
+  }
+
+  /// The depth is a concave function of the foot. Where its greatest lies beyond an edge of the triangle, the deepest
+  /// on the triangle lies on such an edge, and along that it is a concave function too.
+  void under_edge(const StandingCutter& stand, std::int32_t place, std::int32_t t, const Vec3& a, const Vec3& b,
+                  std::vector<Notch>& out) const {
+    const CutterProfile& profile = cutter_.profile();
+    const double length = (b - a).norm();
+    const Vec3 way = (b - a) / length;
+    const auto in = line_entry_mm(profile, stand, a, way, length);
+    if (!in) return;
+    const auto behind = line_entry_mm(profile, stand, b, -way, length);
+    if (!behind) return;
+    const Vec3& normal = facets_.normal(static_cast<std::size_t>(t));
+    Notch best{0.0, place, t, a};
+    const auto depth = [&](double s) {
+      const Vec3 foot = a + s * way;
+      const double found = -line_entry_mm(profile, stand, foot, normal, 0.0).value_or(0.0);
+      if (found > best.depth_mm) best = {found, place, t, foot};
+      return found;
+    };
+    constexpr double golden = 0.6180339887498949;
+    double low = std::max(0.0, *in), high = length - std::max(0.0, *behind);
+    if (low > high) return;
+    depth(low);
+    depth(high);
+    double s1 = high - golden * (high - low), s2 = low + golden * (high - low), d1 = depth(s1), d2 = depth(s2);
+    for (int i = 0; i < 30; ++i) {
+      if (d1 >= d2) {
+        high = s2;
+        s2 = s1;
+        d2 = d1;
+        s1 = high - golden * (high - low);
+        d1 = depth(s1);
+      } else {
+        low = s1;
+        s1 = s2;
+        d1 = d2;
+        s2 = low + golden * (high - low);
+        d2 = depth(s2);
+      }
+    }
+    take(best, out);
+  }
+
+  /// Does the triangle lie wholly below the plane of the cutter's bottom, or wholly beyond its reach?
+  [[nodiscard]] bool passes_by(const StandingCutter& stand, std::size_t triangle, const Vec3& away) const {
+    double highest = -1.0, nearest = cutter_.profile().greatest_radius_mm();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 w = facets_.corner(triangle, k) - stand.tip_mm;
+      highest = std::max(highest, w.dot(stand.axis));
+      nearest = std::min(nearest, w.dot(away));
+    }
+    return highest <= 0.0 || nearest >= cutter_.profile().greatest_radius_mm();
+  }
+
+  void take(Notch notch, std::vector<Notch>& out) const {
+    if (notch.depth_mm <= beyond_mm_) return;
+    notch.depth_mm =
+        facets_.buried_mm(notch.foot_mm, facets_.normal(static_cast<std::size_t>(notch.triangle)), notch.depth_mm);
+    if (notch.depth_mm > beyond_mm_) out.push_back(notch);
   }
 
   const SweptCutter& cutter_;
-  const geometry::TriangleMesh& surface_;
-  std::vector<Vec3> normals_;
-  BoxTree tree_;
+  const SurfaceFacets& facets_;
+  double beyond_mm_;
 };
 
 }  // namespace
 
-std::vector<Extreme> deepest_notches(const SweptCutter& cutter, const geometry::TriangleMesh& surface, double beyond_mm,
+std::vector<Extreme> deepest_notches(const SweptCutter& cutter, const SurfaceFacets& facets, double beyond_mm,
                                      std::size_t most) {
   if (cutter.ball_nose() || cutter.place_count() == 0) return {};
-  const NotchSearch search(cutter, surface);
+  const NotchSearch search(cutter, facets, beyond_mm);
   // Blocks of a fixed size, so that the result is the same however many threads share them.
   constexpr std::size_t block = 2048;
   const double size_mm = cutter.profile().greatest_radius_mm();
   std::vector<std::vector<Notch>> blocks((cutter.place_count() + block - 1) / block);
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
     for (std::size_t p = b * block; p < std::min((b + 1) * block, cutter.place_count()); ++p)
-      search.at_place(static_cast<std::int32_t>(p), beyond_mm, blocks[b]);
+      search.at_place(static_cast<std::int32_t>(p), blocks[b]);
     keep_deepest(blocks[b], size_mm, most);
   });
   std::vector<Notch> all;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "shapes.hpp"
@@ -215,6 +216,26 @@ TEST(CutSurface, ACutterBesideAConvexEdgeIsNoGouge) {
   EXPECT_TRUE(report.findings.empty()) << report.findings.at(0).text;
   EXPECT_LT(report.gouge_max_mm, 1e-6);
   EXPECT_LT(report.scallop_max_mm, 0.02);
+}
+
+// A few micrometres too low over the top of that step the cutter takes a strip off the wall that is as high: seen along
+// the wall's normal it goes as deep as the cutter is wide, but nothing that it took lay deeper than those micrometres.
+TEST(CutSurface, ACutterSlightlyTooLowOverAConvexEdgeGoesNoDeeperThanThat) {
+  geometry::TriangleMesh step;
+  step.vertices_mm = {{-2, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-2, 1, 0}, {0, 0, -2}, {0, 1, -2}};
+  step.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}};
+  for (const auto& cutter : {test::flat(1.0), test::bull(1.0, 0.3), test::ball(1.0)}) {
+    for (const double too_low : {0.002, 0.02}) {
+      const std::vector<SweptPose> poses{{{Vec3(-3.0, 0.5, -too_low), Vec3::UnitZ()}, 1, 0, false},
+                                         {{Vec3(0.7, 0.5, -too_low), Vec3::UnitZ()}, 1, 0, false}};
+      const auto report = measure_cut_surface(step, cutter, poses, {.sample_spacing_mm = 0.1});
+      EXPECT_NEAR(report.gouge_max_mm, too_low, 0.1 * too_low) << "corner radius " << cutter.corner_radius_mm;
+      EXPECT_EQ(std::any_of(report.findings.begin(), report.findings.end(),
+                            [](const Finding& f) { return f.kind == "gouge"; }),
+                too_low > 0.01)
+          << "corner radius " << cutter.corner_radius_mm;
+    }
+  }
 }
 
 TEST(CutSurface, FlatEndAcrossAPlaneLeavesNothingAndTiltedLeavesTheWedge) {

@@ -14,6 +14,13 @@ using test::ball_at;
 constexpr double deep_mm = 0.005;
 constexpr double limit_mm = 0.0045;
 
+/// The environment's VOLUTE_SEED: other cases of the same kind.
+int seed_or(int usual) {
+  const char* text = std::getenv("VOLUTE_SEED");
+  const auto asked = text != nullptr ? geometry::parse_integer(text) : std::nullopt;
+  return asked ? static_cast<int>(*asked) : usual;
+}
+
 /// z = f(x, y) over [0, side]^2 as a fine mesh, curved gently enough for the cutter.
 struct Wave {
   double side = 4.0, bend_x = 0.0, bend_y = 0.0, height = 0.0, length = 5.0;
@@ -61,7 +68,8 @@ void plant(std::vector<SweptPose>& poses, const Vec3& tip, const Vec3& axis, std
 
 TEST(PlantedGouge, OfABallIsFoundAnywhereOnCurvedSurfacesAndNoneWithoutIt) {
   const int count = cases(8);
-  std::mt19937_64 random(31);
+  const int seed = seed_or(31);
+  std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   std::uniform_real_distribution<> uniform(0.0, 1.0);
   double worst = 0.0;
   for (int i = 0; i < count; ++i) {
@@ -73,15 +81,15 @@ TEST(PlantedGouge, OfABallIsFoundAnywhereOnCurvedSurfacesAndNoneWithoutIt) {
     auto poses = passes(w, radius, 0.9, axis);
     const CutSurfaceOptions options{.uncut_limit_mm = 0.2, .gouge_limit_mm = limit_mm};
     const auto clean = measure_cut_surface(surface, test::ball(radius), poses, options);
-    ASSERT_TRUE(clean.findings.empty()) << "seed 31, case " << i << ": " << clean.findings[0].text;
+    ASSERT_TRUE(clean.findings.empty()) << "seed " << seed << ", case " << i << ": " << clean.findings[0].text;
     const double x = w.side * uniform(random), y = w.side * uniform(random);  // edges and corners included
     plant(poses, w.at(x, y) + (radius - deep_mm) * w.normal(x, y) - radius * axis, axis, 7777777);
     const auto report = measure_cut_surface(surface, test::ball(radius), poses, options);
-    ASSERT_EQ(report.findings.size(), 1u) << "seed 31, case " << i;
+    ASSERT_EQ(report.findings.size(), 1u) << "seed " << seed << ", case " << i;
     EXPECT_EQ(report.findings[0].kind, "gouge");
     EXPECT_EQ(report.findings[0].line, 7777777);
     worst = std::max(worst, std::abs(report.gouge_max_mm - deep_mm));
-    EXPECT_NEAR(report.gouge_max_mm, deep_mm, 3e-4) << "seed 31, case " << i;
+    EXPECT_NEAR(report.gouge_max_mm, deep_mm, 3e-4) << "seed " << seed << ", case " << i;
   }
   RecordProperty("greatest_error_of_depth_nm", static_cast<int>(1e6 * worst));
 }
@@ -89,7 +97,8 @@ TEST(PlantedGouge, OfABallIsFoundAnywhereOnCurvedSurfacesAndNoneWithoutIt) {
 /// The rim of a tilted flat end, or a small corner radius, dips in: a crescent down to hundredths of a millimetre wide.
 TEST(PlantedGouge, OfASharpTiltedEndIsFoundAnywhereAndNoneWithoutIt) {
   const int count = cases(8);
-  std::mt19937_64 random(32);
+  const int seed = seed_or(32);
+  std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   std::uniform_real_distribution<> uniform(0.0, 1.0);
   for (int i = 0; i < count; ++i) {
     const double radius = 3.0 + 3.0 * uniform(random), tilt = 0.05 + 0.7 * uniform(random), side = 8.0;
@@ -113,13 +122,14 @@ TEST(PlantedGouge, OfASharpTiltedEndIsFoundAnywhereAndNoneWithoutIt) {
     }
     const CutSurfaceOptions options{.uncut_limit_mm = 0.2, .gouge_limit_mm = limit_mm};
     const auto clean = measure_cut_surface(surface, cutter, poses, options);
-    for (const auto& f : clean.findings) ASSERT_NE(f.kind, "gouge") << "seed 32, case " << i << ": " << f.text;
+    for (const auto& f : clean.findings)
+      ASSERT_NE(f.kind, "gouge") << "seed " << seed << ", case " << i << ": " << f.text;
     plant(poses, tip_at(side * uniform(random), side * uniform(random), deep_mm), axis, 7777777);
     const auto report = measure_cut_surface(surface, cutter, poses, options);
-    ASSERT_FALSE(report.findings.empty()) << "seed 32, case " << i;
+    ASSERT_FALSE(report.findings.empty()) << "seed " << seed << ", case " << i;
     EXPECT_EQ(report.findings[0].kind, "gouge");
     EXPECT_EQ(report.findings[0].line, 7777777);
-    EXPECT_NEAR(report.gouge_max_mm, deep_mm, 1e-5) << "seed 32, case " << i << ", tilt " << tilt;
+    EXPECT_NEAR(report.gouge_max_mm, deep_mm, 1e-5) << "seed " << seed << ", case " << i << ", tilt " << tilt;
   }
 }
 
@@ -152,37 +162,61 @@ double deepest_by_points(const CutterProfile& profile, const StandingCutter& sta
   return deepest;
 }
 
-/// On facets the deepest point may lie on an edge, where neither triangle holds its own foot: how much is missed then.
-TEST(PlantedGouge, OfASharpEndOnFacetsIsReadToAFraction) {
-  const int count = cases(4);
-  std::mt19937_64 random(33);
+enum class Plant { anywhere, on_an_edge, at_a_vertex };
+
+/// A flat end planted 0.02 mm deep into a dome of facets 0.5 mm wide whose normals differ by 0.7 degrees: the share of
+/// the depth that the measure misses (brute force over all facets is the depth).
+double share_missed(std::mt19937_64& random, Plant where) {
   std::uniform_real_distribution<> uniform(0.0, 1.0);
+  const double R = 40.0, radius = 4.0, tilt = 0.1 + 0.4 * uniform(random), around = 6.28 * uniform(random);
+  const auto dome = [&](double u, double w) {
+    const double x = 12 * (u - 0.5), y = 12 * (w - 0.5);
+    return Vec3(x, y, std::sqrt(R * R - x * x - y * y) - R);
+  };
+  constexpr int cuts = 24;
+  const auto surface = test::sheet(cuts, cuts, dome);
+  double u = 0.3 + 0.4 * uniform(random), w = 0.3 + 0.4 * uniform(random);
+  const auto on_grid = [](double share) { return std::round(cuts * share) / cuts; };
+  if (where != Plant::anywhere) u = on_grid(u);
+  if (where == Plant::at_a_vertex) w = on_grid(w);
+  const Vec3 spot = dome(u, w);
+  const Vec3 normal = (spot + Vec3(0, 0, R)).normalized();
+  const Vec3 way = Eigen::AngleAxisd(around, normal) * normal.unitOrthogonal();
+  const Vec3 axis = std::cos(tilt) * normal + std::sin(tilt) * way;
+  const Vec3 rim = (way - axis.dot(way) * axis).normalized();
+  const Vec3 tip = spot - 0.02 * normal - radius * rim;
+  std::vector<SweptPose> poses{{{Vec3(tip + 40.0 * axis), axis}, 1, 0.0, false}};
+  plant(poses, tip, axis, 5);
+  const auto cutter = test::flat(radius);
+  const auto report = measure_cut_surface(surface, cutter, poses, {.uncut_limit_mm = 0.2, .gouge_limit_mm = limit_mm});
+  double expected = 0.0;
+  for (const auto& t : surface.triangles)
+    expected = std::max(expected, deepest_by_points(CutterProfile(cutter), {tip, axis}, surface, t, spot));
+  EXPECT_GT(expected, 0.01);
+  EXPECT_LT(report.gouge_max_mm, 1.001 * expected + 1e-6);
+  EXPECT_GT(report.gouge_max_mm, 0.999 * expected);
+  return (expected - report.gouge_max_mm) / expected;
+}
+
+// On facets the deepest point lies mostly where the foot of the cutter's own deepest falls beside each triangle.
+TEST(PlantedGouge, OfASharpEndOnFacetsIsReadToAFraction) {
+  const int seed = seed_or(33), count = cases(4);
+  std::mt19937_64 random(static_cast<std::uint64_t>(seed));
   double worst = 0.0;
   for (int i = 0; i < count; ++i) {
-    const double R = 40.0, radius = 4.0, tilt = 0.1 + 0.4 * uniform(random), around = 6.28 * uniform(random);
-    const auto dome = [&](double u, double w) {
-      const double x = 12 * (u - 0.5), y = 12 * (w - 0.5);
-      return Vec3(x, y, std::sqrt(R * R - x * x - y * y) - R);
-    };
-    const auto surface = test::sheet(24, 24, dome);  // facets of 0.5 mm, normals 0.7 degrees apart
-    const Vec3 spot = dome(0.3 + 0.4 * uniform(random), 0.3 + 0.4 * uniform(random));
-    const Vec3 normal = (spot + Vec3(0, 0, R)).normalized();
-    const Vec3 way = Eigen::AngleAxisd(around, normal) * normal.unitOrthogonal();
-    const Vec3 axis = std::cos(tilt) * normal + std::sin(tilt) * way;
-    const Vec3 rim = (way - axis.dot(way) * axis).normalized();
-    const Vec3 tip = spot - 0.02 * normal - radius * rim;
-    std::vector<SweptPose> poses{{{Vec3(tip + 40.0 * axis), axis}, 1, 0.0, false}};
-    plant(poses, tip, axis, 5);
-    const auto cutter = test::flat(radius);
-    const auto report =
-        measure_cut_surface(surface, cutter, poses, {.uncut_limit_mm = 0.2, .gouge_limit_mm = limit_mm});
-    double expected = 0.0;
-    for (const auto& t : surface.triangles)
-      expected = std::max(expected, deepest_by_points(CutterProfile(cutter), {tip, axis}, surface, t, spot));
-    ASSERT_GT(expected, 0.01) << "seed 33, case " << i;
-    worst = std::max(worst, (expected - report.gouge_max_mm) / expected);
-    EXPECT_LT(report.gouge_max_mm, 1.02 * expected + 1e-6) << "seed 33, case " << i;
-    EXPECT_GT(report.gouge_max_mm, 0.9 * expected) << "seed 33, case " << i;
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", case " + std::to_string(i));
+    worst = std::max(worst, share_missed(random, Plant::anywhere));
+  }
+  RecordProperty("greatest_share_missed_permille", static_cast<int>(1000 * worst));
+}
+
+TEST(PlantedGouge, OfASharpEndOnAnEdgeOrVertexOfFacetsIsReadToAFraction) {
+  const int seed = seed_or(34), count = cases(4);
+  std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+  double worst = 0.0;
+  for (int i = 0; i < count; ++i) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", case " + std::to_string(i));
+    worst = std::max(worst, share_missed(random, i % 2 == 0 ? Plant::on_an_edge : Plant::at_a_vertex));
   }
   RecordProperty("greatest_share_missed_permille", static_cast<int>(1000 * worst));
 }
