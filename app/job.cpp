@@ -264,7 +264,7 @@ class JobReader {
     const toml::table& process = reader_.table(root(), "", "process");
     reader_.only_keys(process, "process",
                       {"feed_mm_min", "approach_feed_mm_min", "spindle_rpm", "clearance_height_mm", "safe_distance_mm",
-                       "lead", "lead_radius_mm", "ramp_deg", "coolant"});
+                       "lead", "lead_radius_mm", "link_lead_radius_mm", "ramp_deg", "coolant"});
     job_.process.feed_mm_s = reader_.positive(process, "process", "feed_mm_min") / seconds_per_minute;
     job_.process.approach_feed_mm_s =
         not_negative(process, "process", "approach_feed_mm_min", 0.0) / seconds_per_minute;
@@ -275,6 +275,7 @@ class JobReader {
     job_.process.safe_distance_mm =
         reader_.positive(process, "process", "safe_distance_mm", job_.process.safe_distance_mm);
     job_.process.lead_radius_mm = not_negative(process, "process", "lead_radius_mm", 0.0);
+    job_.process.link_lead_radius_mm = not_negative(process, "process", "link_lead_radius_mm", 0.0);
     job_.process.lead_shape = reader_.choice(process, "process", "lead", {"arc", "ramp"}, 0) == 0
                                   ? planner::LeadShape::arc
                                   : planner::LeadShape::ramp;

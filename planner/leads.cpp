@@ -19,20 +19,20 @@ namespace {
 constexpr int arc_points = 12;
 constexpr double check_step_mm = 0.5;
 constexpr double axis_retract_min_mm = 2.0;
-
-/// Unit direction from the first point away from the second, in the tangent plane of the first; the normal's side
-/// decides nothing here.
-Vec3 tangent_away(const ToolPathPoint& at, const ToolPathPoint& next) {
-  const Vec3 d = at.pose.tip_P_mm - next.pose.tip_P_mm;
-  const Vec3 t = d - d.dot(at.normal_P) * at.normal_P;
-  return t.norm() > 1e-9 ? Vec3(t.normalized()) : at.normal_P.unitOrthogonal();
-}
+/// A tenth of the cutter's diameter: what CAM systems propose for finishing leads.
+constexpr double link_lead_share = 0.2;
 
 ToolPathPoint with_offset(const ToolPathPoint& at, const Vec3& offset, MoveKind move, double feed_mm_s) {
   return {{at.pose.tip_P_mm + offset, at.pose.axis_P}, move, feed_mm_s, at.contact_P_mm, at.normal_P, at.turn};
 }
 
 }  // namespace
+
+Vec3 tangent_away(const ToolPathPoint& at, const ToolPathPoint& next) {
+  const Vec3 d = at.pose.tip_P_mm - next.pose.tip_P_mm;
+  const Vec3 t = d - d.dot(at.normal_P) * at.normal_P;
+  return t.norm() > 1e-9 ? Vec3(t.normalized()) : at.normal_P.unitOrthogonal();
+}
 
 double highest_point_mm(const Scene& scene) {
   bool any = false;
@@ -60,13 +60,18 @@ Scene rapid_scene(const Scene& scene, const std::optional<geometry::TriangleMesh
 }
 
 Leads::Leads(const kinematics::Tool& tool, const Interference& interference, const Interference& beyond_safe_distance,
-             const ProcessOptions& process, double clearance_z_mm)
+             const ProcessOptions& process, double clearance_z_mm, const kinematics::Machine* machine,
+             const kinematics::Setup* setup)
     : tool_(&tool),
       interference_(&interference),
       beyond_safe_distance_(&beyond_safe_distance),
       process_(&process),
       clearance_z_mm_(clearance_z_mm),
-      radius_mm_(process.lead_radius_mm > 0.0 ? process.lead_radius_mm : tool.cutter.radius_mm) {
+      radius_mm_(process.lead_radius_mm > 0.0 ? process.lead_radius_mm : tool.cutter.radius_mm),
+      link_radius_mm_(process.link_lead_radius_mm > 0.0 ? process.link_lead_radius_mm
+                                                        : link_lead_share * tool.cutter.radius_mm),
+      machine_(machine),
+      setup_(setup) {
   VOLUTE_CHECK(process.ramp_angle.radians() > 0.0 && process.ramp_angle.radians() < 0.5 * std::numbers::pi,
                process.ramp_angle.radians());
   VOLUTE_CHECK(process.safe_distance_mm > 0.0, process.safe_distance_mm);
@@ -74,7 +79,7 @@ Leads::Leads(const kinematics::Tool& tool, const Interference& interference, con
 
 /// The shape asked for, smaller by halves, to both sides; then the other shape; then straight along the normal and
 /// along the axis.
-std::vector<Leads::Lead> Leads::lead_shapes(const ToolPathPoint& point, const Vec3& away) const {
+std::vector<Leads::Lead> Leads::lead_shapes(const ToolPathPoint& point, const Vec3& away, double radius_mm) const {
   const auto arc = [&](double radius, double side) {
     Lead lead;
     for (int k = 1; k <= arc_points; ++k) {
@@ -92,9 +97,9 @@ std::vector<Leads::Lead> Leads::lead_shapes(const ToolPathPoint& point, const Ve
   for (const bool as_ramp : {ramp_first, !ramp_first})
     for (const double share : {1.0, 0.5, 0.25})
       for (const double side : {1.0, -1.0})
-        shapes.push_back(as_ramp ? ramp(share * radius_mm_, side) : arc(share * radius_mm_, side));
-  shapes.push_back({{radius_mm_ * point.normal_P}, {}});
-  shapes.push_back({{radius_mm_ * point.pose.axis_P}, {}});
+        shapes.push_back(as_ramp ? ramp(share * radius_mm, side) : arc(share * radius_mm, side));
+  shapes.push_back({{radius_mm * point.normal_P}, {}});
+  shapes.push_back({{radius_mm * point.pose.axis_P}, {}});
   return shapes;
 }
 
@@ -136,19 +141,24 @@ std::vector<Vec3> Leads::way_up(const ToolPose& from, bool tip_counts) const {
   return {};
 }
 
+/// Where the tool stands at the lead's outer end; nothing when it is not free.
+std::optional<ToolPose> Leads::end_of_free_lead(const ToolPathPoint& point, const Lead& lead, bool tip_counts) const {
+  ToolPose pose = point.pose;
+  for (const Vec3& offset : lead.offsets_mm) {
+    const Vec3 to = point.pose.tip_P_mm + offset;
+    if (!is_free_way(pose, to, tip_counts)) return std::nullopt;
+    pose.tip_P_mm = to;
+  }
+  return pose;
+}
+
 std::optional<Leads::Lead> Leads::free_lead(const ToolPathPoint& point, const Vec3& away) const {
   // Where the ball does not fit the surface at the contact itself, no lead from there can be held to more.
   const bool tip_counts = interference_->is_free(point.pose);
-  for (Lead& shape : lead_shapes(point, away)) {
-    ToolPose pose = point.pose;
-    bool free = true;
-    for (const Vec3& offset : shape.offsets_mm) {
-      const Vec3 to = point.pose.tip_P_mm + offset;
-      free = free && is_free_way(pose, to, tip_counts);
-      pose.tip_P_mm = to;
-    }
-    if (!free) continue;
-    const std::vector<Vec3> up = way_up(pose, tip_counts);
+  for (Lead& shape : lead_shapes(point, away, radius_mm_)) {
+    const auto end = end_of_free_lead(point, shape, tip_counts);
+    if (!end) continue;
+    const std::vector<Vec3> up = way_up(*end, tip_counts);
     if (up.empty()) continue;
     for (const Vec3& p : up) shape.way_up_mm.push_back(p - point.pose.tip_P_mm);
     return shape;
@@ -156,7 +166,8 @@ std::optional<Leads::Lead> Leads::free_lead(const ToolPathPoint& point, const Ve
   return std::nullopt;
 }
 
-geometry::Result<ToolPath> Leads::with_leads(const ToolPath& piece, int piece_number) const {
+geometry::Result<ToolPath> Leads::with_leads(const ToolPath& piece, int piece_number,
+                                             std::optional<int> last_number) const {
   VOLUTE_CHECK(piece.points.size() >= 2, piece.points.size());
   const ToolPathPoint& first = piece.points.front();
   const ToolPathPoint& last = piece.points.back();
@@ -165,10 +176,10 @@ geometry::Result<ToolPath> Leads::with_leads(const ToolPath& piece, int piece_nu
   if (!lead_in || !lead_out) {
     const Vec3& p = (lead_in ? last : first).contact_P_mm;
     return geometry::bad_input(
-        "lead-blocked", "piece " + std::to_string(piece_number) + ": no way " + (lead_in ? "away from" : "to") +
-                            " its " + (lead_in ? "last" : "first") + " point (" + geometry::short_text(p.x()) + ", " +
-                            geometry::short_text(p.y()) + ", " + geometry::short_text(p.z()) +
-                            ") is free; lower lead_radius_mm, or start elsewhere");
+        "lead-blocked", "piece " + std::to_string(lead_in ? last_number.value_or(piece_number) : piece_number) +
+                            ": no way " + (lead_in ? "away from" : "to") + " its " + (lead_in ? "last" : "first") +
+                            " point (" + geometry::short_text(p.x()) + ", " + geometry::short_text(p.y()) + ", " +
+                            geometry::short_text(p.z()) + ") is free; lower lead_radius_mm, or start elsewhere");
   }
   ToolPath path;
   come_in(first, *lead_in, path);

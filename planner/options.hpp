@@ -70,6 +70,7 @@ struct ProcessOptions {
   double clearance_height_mm = 20.0;  ///< rapids run this far above the highest point of part and obstacles
   double safe_distance_mm = 3.0;      ///< rapids down end where the tool comes this near to part, stock or obstacles
   double lead_radius_mm = 0.0;        ///< of the tangent arc that enters and leaves, height of a ramp; 0: cutter radius
+  double link_lead_radius_mm = 0.0;   ///< likewise where the tool lifts between near pieces; 0: a fifth of the cutter's
   LeadShape lead_shape = LeadShape::arc;
   Angle ramp_angle = Angle::degrees(15.0);  ///< of a ramp to the surface
 };

@@ -97,13 +97,13 @@ Result<void> join_pieces(const PlanRequest& request, const Interference& interfe
     clearance_z_mm = std::max(clearance_z_mm,
                               highest_point_mm(Scene{*request.stock_P, {}, {}, {}}) + request.process.safe_distance_mm);
   const Interference beyond_safe_distance(rapids, request.tool, nullptr, nullptr);
-  const Leads leads(request.tool, interference, beyond_safe_distance, request.process, clearance_z_mm);
-  int number = 0;
-  for (const OrientedPath& piece : pieces) {
-    const auto whole = leads.with_leads(piece.tool_path, ++number);
-    if (!whole) return tl::unexpected(whole.error());
-    leads.append(result.tool_path, *whole);
-  }
+  const Leads leads(request.tool, interference, beyond_safe_distance, request.process, clearance_z_mm, &request.machine,
+                    &request.setup);
+  std::vector<kinematics::ToolPath> cuts;
+  for (const OrientedPath& piece : pieces) cuts.push_back(piece.tool_path);
+  auto whole = leads.join(cuts);
+  if (!whole) return tl::unexpected(whole.error());
+  result.tool_path = std::move(*whole);
   return {};
 }
 

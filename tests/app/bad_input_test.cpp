@@ -50,6 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadJob{"profile", replaced(plate_job(), "ac-head-fanuc", "ac-head-fanux"), "ac-head-fanux"},
         BadJob{"nan", replaced(plate_job(), "radius_mm = 3", "radius_mm = nan"), "tool.radius_mm"},
         BadJob{"holder", plate_job("[holder]\nsegments = [[20, 20]]\n"), "holder.segments"},
+        BadJob{"two_stocks", plate_job("[stock]\nnear_net_mm = 0.5\nallowance_mm = 1\n"), "stock.near_net_mm"},
         BadJob{"no_feed", replaced(plate_job(), "feed_mm_min = 600", ""), "feed_mm_min"}),
     [](const testing::TestParamInfo<BadJob>& row) { return row.param.name; });
 

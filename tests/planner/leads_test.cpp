@@ -3,50 +3,19 @@
 #include <gtest/gtest.h>
 
 #include "geometry/mesh_measure.hpp"
-#include "tests/planner/scenes.hpp"
+#include "tests/planner/flat_cut.hpp"
 
 namespace volute::planner {
 namespace {
 
 using geometry::Angle;
 using kinematics::MoveKind;
-using kinematics::ToolPath;
-using kinematics::ToolPathPoint;
-
-constexpr double clearance_z_mm = 25.0, lead_radius_mm = 4.0;
-
-/// A straight cut along x over a flat plate at z = 0, the axis leaning by `tilt` backwards (against the feed).
-struct FlatCut {
-  Scene scene;
-  kinematics::Tool tool = testing::ball_tool();
-  ProcessOptions process;
-  double tilt_rad = 0.0;
-  std::optional<geometry::TriangleMesh> stock_P;
-
-  FlatCut() {
-    scene.part = testing::sheet(-40, 40, -20, 20, 2.0, [](double, double) { return 0.0; });
-    process.lead_radius_mm = lead_radius_mm;
-  }
-  [[nodiscard]] ToolPathPoint at(double x, double y = 0.0) const {
-    ToolPathPoint p;
-    p.contact_P_mm = Vec3(x, y, 0.0);
-    p.normal_P = Vec3::UnitZ();
-    p.pose.axis_P = Vec3(-std::sin(tilt_rad), 0.0, std::cos(tilt_rad));
-    p.pose.tip_P_mm = p.contact_P_mm + 3.0 * p.normal_P - 3.0 * p.pose.axis_P;
-    p.feed_mm_s = 10.0;
-    return p;
-  }
-  [[nodiscard]] ToolPath cut() const {
-    ToolPath path;
-    for (double x = -20.0; x <= 20.0; x += 1.0) path.points.push_back(at(x));
-    return path;
-  }
-  [[nodiscard]] geometry::Result<ToolPath> planned() const {
-    const Interference interference(scene, tool, nullptr, nullptr);
-    const Interference beyond(rapid_scene(scene, stock_P, process.safe_distance_mm), tool, nullptr, nullptr);
-    return Leads(tool, interference, beyond, process, clearance_z_mm).with_leads(cut(), 7);
-  }
-};
+using testing::clearance_z_mm;
+using testing::FlatCut;
+using testing::lead_radius_mm;
+using testing::lowest_z_mm;
+using testing::ToolPath;
+using testing::ToolPathPoint;
 
 /// The points before the first cut, from the surface outwards, as offsets of the tip from its place at the cut.
 std::vector<Vec3> lead_in(const ToolPath& path) {
@@ -58,17 +27,6 @@ std::vector<Vec3> lead_in(const ToolPath& path) {
   std::vector<Vec3> offsets;
   for (std::size_t k = cut; k-- > 0;) offsets.push_back(path.points[k].pose.tip_P_mm - path.points[cut].pose.tip_P_mm);
   return offsets;
-}
-
-/// Least height of any point of the assembly above z = 0, from its rings: an independent measure of "clear".
-double lowest_z_mm(const kinematics::Tool& tool, const kinematics::ToolPose& pose) {
-  const double across = std::sqrt(std::max(0.0, 1.0 - pose.axis_P.z() * pose.axis_P.z()));
-  const auto ring = [&](double z, double radius) { return pose.tip_P_mm.z() + z * pose.axis_P.z() - radius * across; };
-  double low = (pose.tip_P_mm + 3.0 * pose.axis_P).z() - 3.0;  // the ball
-  low = std::min({low, ring(20.0, 3.0), ring(tool.stick_out_mm, tool.shank_radius_mm)});
-  for (const auto& cone : tool.holder)
-    low = std::min({low, ring(cone.z_mm, cone.bottom_radius_mm), ring(cone.z_mm + cone.length_mm, cone.top_radius_mm)});
-  return low;
 }
 
 TEST(Leads, AnArcIsAQuarterCircleTangentToThePath) {
