@@ -12,6 +12,7 @@
 #include "planner/path/path_interval.hpp"
 #include "planner/path/path_measure.hpp"
 #include "planner/path/start_point.hpp"
+#include "planner/surface/operators.hpp"
 
 namespace volute::planner {
 
@@ -94,32 +95,45 @@ struct Finished {
   PathReport report;
   std::optional<ScallopMap> scallop;
 };
-Result<Finished> finished_even(const geometry::TriangleMesh& surface, const CcPathResult& raw,
-                               const IntervalField& intervals, const CurveOptions& curve, const PathOptions& options) {
-  Finished out{raw.path, {}, {}};
-  for (CcPiece& piece : out.path.pieces) {
-    std::vector<RawStretch> stretches{{raw_points(piece.points), false}};
-    if (auto kept = keep_turns(stretches, options); !kept) return tl::unexpected(kept.error());
-    piece = finished_piece(std::move(stretches), options, curve);
-  }
+Finished measured_even(const MeasureRequest& request, const PathReport& raw, CcPath path) {
+  Finished out{std::move(path), {}, {}};
   out.report.strategy = "spiral";
   out.report.method = "even";
   out.report.liftings = 2;
-  out.report.notes = raw.report.notes;
+  out.report.notes = raw.notes;
   out.report.rapid_traversals = static_cast<int>(out.path.pieces.size()) - 1;
-  out.scallop =
-      measure_path({surface, intervals, {}, false, !options.from_turn && !options.to_turn}, out.path, out.report);
-  out.report.interval_ratio_max = interval_of_scallop(out.report, intervals.rule());
+  out.scallop = measure_path(request, out.path, out.report);
+  out.report.interval_ratio_max = interval_of_scallop(out.report, request.intervals.rule());
   return out;
 }
 
-/// The optimised field, finished as the other methods are; plan_even_spiral runs inward and counter-clockwise. The
-/// spline does not keep to every bend: where it leaves a single place too high, the points before it are moved.
+/// The spline does not keep to every bend: where it leaves a single place too high, its points are moved.
+Finished mended_even(const MeasureRequest& request, std::span<const Vec3> vertex_normals, Finished best) {
+  constexpr int nudges_max = 6, failures_max = 2;
+  constexpr double kept = 1.06, mended_from = 1.04;
+  constexpr std::size_t places_max = 400;
+  const double interval_mm = request.intervals.rule().interval_mm(0.0);
+  const auto operators = triangle_operators(request.surface);
+  Finished now = best;
+  for (int n = 0, failures = 0; n < nudges_max && failures < failures_max; ++n) {
+    if (!now.scallop || best.scallop->statistics.max_ratio <= kept) break;
+    const auto places = high_places(*now.scallop, mended_from, 0.5 * interval_mm);
+    if (places.size() > places_max) break;
+    CcPath path = now.path;
+    for (CcPiece& piece : path.pieces)
+      nudge_finished(piece, places, interval_mm, request.surface, vertex_normals, operators);
+    now = measured_even(request, now.report, std::move(path));
+    if (now.report.scallop_ratio_max < best.report.scallop_ratio_max)
+      best = now;
+    else
+      ++failures;
+  }
+  return best;
+}
+
+/// The optimised field, finished as the other methods are; plan_even_spiral runs inward and counter-clockwise.
 Result<CcPathResult> plan_even(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
                                const PathOptions& options, const OrientationOptions& orientation) {
-  constexpr int nudges_max = 3;
-  constexpr double kept = 1.08, mended_from = 1.04;
-  constexpr std::size_t places_max = 400;
   const bool mirror_image = sense_of(options.cut_direction) == Sense::clockwise;
   auto result = plan_even_spiral(mirror_image ? mirrored(surface) : surface, cutter, options, orientation);
   if (!result) return result;
@@ -127,19 +141,17 @@ Result<CcPathResult> plan_even(const geometry::TriangleMesh& surface, const kine
   if (auto begun = begin_even_at(surface, options, *result); !begun) return tl::unexpected(begun.error());
   const IntervalField intervals(surface, interval_rule(cutter, options.scallop_mm, orientation));
   const CurveOptions curve = curve_options(cutter, options, orientation, intervals.rule());
-  auto best = finished_even(surface, *result, intervals, curve, options);
-  if (!best) return tl::unexpected(best.error());
-  const double interval_mm = intervals.rule().interval_mm(0.0);
-  for (int n = 0; n < nudges_max && best->scallop && best->scallop->statistics.max_ratio > kept; ++n) {
-    const auto places = high_places(*best->scallop, mended_from, 0.5 * interval_mm);
-    if (places.size() > places_max) break;
-    for (CcPiece& piece : result->path.pieces) nudge(piece, places, interval_mm);
-    auto next = finished_even(surface, *result, intervals, curve, options);
-    if (!next || next->report.scallop_ratio_max >= best->report.scallop_ratio_max) break;
-    best = std::move(next);
+  for (CcPiece& piece : result->path.pieces) {
+    std::vector<RawStretch> stretches{{raw_points(piece.points), false}};
+    if (auto kept = keep_turns(stretches, options); !kept) return tl::unexpected(kept.error());
+    piece = finished_piece(std::move(stretches), options, curve);
   }
-  result->path = std::move(best->path);
-  result->report = std::move(best->report);
+  const auto normals = geometry::vertex_normals(surface);
+  ScallopMeter meter = scallop_meter(surface, normals, intervals.rule());
+  const MeasureRequest request{surface, intervals, {}, false, !options.from_turn && !options.to_turn, &meter};
+  Finished best = mended_even(request, normals, measured_even(request, result->report, std::move(result->path)));
+  result->path = std::move(best.path);
+  result->report = std::move(best.report);
   return result;
 }
 

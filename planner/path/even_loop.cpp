@@ -135,42 +135,48 @@ void find_corners(const CcPiece& piece, double interval_mm, EvenRound& round) {
 }
 
 /// What of a round comes from its path: length, corners, scallops.
-ScallopMap measure_round(const EvenDomain& domain, const IntervalRule& rule, EvenRound& round) {
+ScallopMap measure_round(const IntervalRule& rule, ScallopMeter& meter, EvenRound& round) {
   round.sharp_corners = 0;
   round.sharp_mm.clear();
   for (const CcPiece& piece : round.cc.pieces) find_corners(piece, rule.interval_mm(0.0), round);
   round.length_mm = length_of(round.cc);
-  ScallopMap map = measure_scallop(domain.mesh, domain.vertex_normals, round.cc, rule.radius_mm, rule.scallop_mm,
-                                   {.exact_from_ratio = 0.9, .closer_from_ratio = 0.92});
+  const ScallopMap& map = meter.measure(round.cc);
   round.scallop = map.statistics;
   return map;
 }
 
 /// Single places too high: the passes beside them are moved, as long as that helps. Returns the map of what is kept.
-ScallopMap nudged(const EvenDomain& domain, const IntervalRule& rule, int sharp_max, ScallopMap map, EvenRound& round) {
-  constexpr int nudges_max = 4;
+ScallopMap nudged(const EvenDomain& domain, const IntervalRule& rule, int sharp_max, ScallopMeter& meter,
+                  ScallopMap map, EvenRound& best) {
+  constexpr int nudges_max = 8, failures_max = 2;
   constexpr double mended_from = 1.04;
+  constexpr NudgeOptions nudge_options{.aim_ratio = 1.03};
   constexpr std::size_t places_max = 400;  // more are no single places
   const double interval_mm = rule.interval_mm(0.0);
-  for (int n = 0; n < nudges_max && fault(round, sharp_max, nudged_down_to) > 0.0; ++n) {
-    if (round.scallop.area_above_percent > area_above_max_percent) break;
-    const auto places = high_places(map, mended_from, 0.5 * interval_mm);
+  const auto left = [&](const EvenRound& round) { return fault(round, sharp_max, nudged_down_to); };
+  EvenRound now = best;
+  ScallopMap now_map = map;
+  for (int n = 0, failures = 0; n < nudges_max && failures < failures_max && left(best) > 0.0; ++n) {
+    if (now.scallop.area_above_percent > area_above_max_percent) break;
+    const auto places = high_places(now_map, mended_from, 0.5 * interval_mm);
     if (places.empty() || places.size() > places_max) break;
-    EvenRound next = round;
-    for (CcPiece& piece : next.cc.pieces) {
-      put_on_surface(domain, piece, nudge(piece, places, interval_mm));
+    for (CcPiece& piece : now.cc.pieces) {
+      put_on_surface(domain, piece, nudge(piece, places, interval_mm, nudge_options));
       fill_bends(piece, interval_mm);
     }
-    ScallopMap after = measure_round(domain, rule, next);
-    if (fault(next, sharp_max, nudged_down_to) >= fault(round, sharp_max, nudged_down_to)) break;
-    round = std::move(next);
-    map = std::move(after);
+    now_map = measure_round(rule, meter, now);
+    if (left(now) >= left(best)) {
+      ++failures;
+      continue;
+    }
+    best = now;
+    map = now_map;
   }
   return map;
 }
 
 EvenRound trace_round(const EvenDomain& domain, const IntervalRule& rule, const EvenField& field, int sharp_max,
-                      std::vector<double>& worst) {
+                      ScallopMeter& meter, std::vector<double>& worst) {
   EvenRound round;
   round.field = field;
   round.path = even_path(domain, field, rule.interval_mm(0.0));
@@ -179,8 +185,8 @@ EvenRound trace_round(const EvenDomain& domain, const IntervalRule& rule, const 
     put_on_surface(domain, piece, round_corners(piece, rule.interval_mm(0.0)));
     fill_bends(piece, rule.interval_mm(0.0));
   }
-  ScallopMap map = measure_round(domain, rule, round);
-  if (round.path.pieces == 1) map = nudged(domain, rule, sharp_max, std::move(map), round);
+  ScallopMap map = measure_round(rule, meter, round);
+  if (round.path.pieces == 1) map = nudged(domain, rule, sharp_max, meter, std::move(map), round);
   worst = std::move(map.worst_ratio);
   return round;
 }
@@ -242,10 +248,12 @@ Result<EvenRound> even_rounds(EvenDomain& domain, EvenField field, const Interva
   Corrections made{std::vector<double>(domain.mesh.triangles.size(), 1.0),
                    std::vector<double>(domain.mesh.vertices_mm.size(), 1.0)};
   solver->improve(field, made.gain, options.settle_outer, options.settle_inner);
+  ScallopMeter meter(domain.mesh, domain.vertex_normals, rule.radius_mm, rule.scallop_mm,
+                     {.exact_from_ratio = 0.9, .closer_from_ratio = 0.92});
   std::optional<EvenRound> best;
   std::vector<double> worst;
   for (int r = 0; r <= options.rounds; ++r) {
-    EvenRound round = trace_round(domain, rule, field, options.sharp_max, worst);
+    EvenRound round = trace_round(domain, rule, field, options.sharp_max, meter, worst);
     const bool last = r == options.rounds || (round.path.pieces == 1 && fault(round, options.sharp_max) == 0.0);
     if (!last) {
       const auto corrected = correct({domain, rule, options}, round, worst, made, *solver, field);

@@ -5,14 +5,13 @@
 
 #include "geometry/check.hpp"
 #include "geometry/index.hpp"
+#include "planner/path/even_prolong.hpp"
 #include "planner/path/point_grid.hpp"
 
 namespace volute::planner {
 
 using geometry::at;
 namespace {
-
-constexpr double steps_per_interval = 12.0;
 
 /// A shift of the path, the whole of it at `s_mm`.
 struct Push {
@@ -79,9 +78,9 @@ std::vector<Push> pushes_for(const Steps& steps, std::span<const HighPlace> plac
     const auto off_mm = [&](std::size_t foot) { return (steps.places[foot] - place).norm(); };
     double nearest_mm = options.reach_intervals * interval_mm;
     for (std::size_t foot : feet) nearest_mm = std::min(nearest_mm, off_mm(foot));
-    const double share = 1.0 - 1.0 / std::sqrt(std::max(high.ratio, 1.0));
+    const double share = 1.0 - std::sqrt(options.aim_ratio / std::max(high.ratio, options.aim_ratio));
     for (std::size_t foot : feet) {
-      if (off_mm(foot) > options.beside * nearest_mm || steps.turn[foot] <= 0.0) continue;
+      if (off_mm(foot) > options.beside * nearest_mm || steps.turn[foot] <= options.turn_kept) continue;
       out.push_back({steps.s_mm[foot], share * (place - steps.places[foot])});
     }
   }
@@ -124,6 +123,49 @@ class Shifts {
   double window_mm_, last_mm_;
 };
 
+/// A piece of which some points moved, and where each of its points stood before.
+struct Nudged {
+  CcPiece piece;
+  std::vector<char> moved;
+  std::vector<Vec3> from_mm;
+};
+
+Nudged nudged(const CcPiece& piece, std::span<const HighPlace> places, double interval_mm,
+              const NudgeOptions& options) {
+  const double step_mm = interval_mm / options.steps_per_interval;
+  const Steps steps = steps_of(piece, std::min(step_mm, interval_mm / 12.0));
+  const Shifts shifts(pushes_for(steps, places, interval_mm, options), options.window_intervals * interval_mm,
+                      steps.s_mm.back());
+  Nudged out;
+  const auto append = [&](CcPoint point, double s_mm, bool shifted) {
+    out.from_mm.push_back(point.point_P_mm);
+    if (shifted) point.point_P_mm += shifts.at_mm(s_mm);
+    out.piece.points.push_back(point);
+    out.moved.push_back(shifted ? 1 : 0);
+  };
+  double s = 0.0;
+  for (std::size_t i = 0; i < piece.points.size(); ++i) {
+    const CcPoint& a = piece.points[i];
+    const bool stays = a.turn <= options.turn_kept;
+    append(a, s, !stays && shifts.any(s));
+    if (i + 1 == piece.points.size()) break;
+    const CcPoint& b = piece.points[i + 1];
+    const double span = (b.point_P_mm - a.point_P_mm).norm();
+    const int parts = static_cast<int>(std::ceil(span / step_mm));
+    for (int k = 1; k < parts && !stays; ++k) {
+      const double share = static_cast<double>(k) / parts, here = s + share * span;
+      if (!shifts.any(here)) continue;
+      CcPoint between = a;
+      between.point_P_mm += share * (b.point_P_mm - a.point_P_mm);
+      between.normal_P = ((1.0 - share) * a.normal_P + share * b.normal_P).normalized();
+      between.turn += share * (b.turn - a.turn);
+      append(between, here, true);
+    }
+    s += span;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<HighPlace> high_places(const ScallopMap& map, double ratio, double apart_mm) {
@@ -145,41 +187,36 @@ std::vector<HighPlace> high_places(const ScallopMap& map, double ratio, double a
 
 std::vector<char> nudge(CcPiece& piece, std::span<const HighPlace> places, double interval_mm,
                         const NudgeOptions& options) {
-  VOLUTE_CHECK(interval_mm > 0.0, interval_mm);
-  std::vector<char> moved(piece.points.size(), 0);
-  if (piece.points.size() < 3 || places.empty()) return moved;
-  const double step_mm = interval_mm / steps_per_interval;
-  const Steps steps = steps_of(piece, step_mm);
-  const Shifts shifts(pushes_for(steps, places, interval_mm, options), options.window_intervals * interval_mm,
-                      steps.s_mm.back());
-  CcPiece out;
-  moved.clear();
-  const auto append = [&](CcPoint point, double s_mm, bool shifted) {
-    if (shifted) point.point_P_mm += shifts.at_mm(s_mm);
-    out.points.push_back(point);
-    moved.push_back(shifted ? 1 : 0);
-  };
-  double s = 0.0;
-  for (std::size_t i = 0; i < piece.points.size(); ++i) {
-    const CcPoint& a = piece.points[i];
-    append(a, s, a.turn > 0.0 && shifts.any(s));
-    if (i + 1 == piece.points.size()) break;
-    const CcPoint& b = piece.points[i + 1];
-    const double span = (b.point_P_mm - a.point_P_mm).norm();
-    const int parts = static_cast<int>(std::ceil(span / step_mm));
-    for (int k = 1; k < parts; ++k) {
-      const double share = static_cast<double>(k) / parts, here = s + share * span;
-      if (!shifts.any(here) || a.turn <= 0.0) continue;
-      CcPoint between = a;
-      between.point_P_mm += share * (b.point_P_mm - a.point_P_mm);
-      between.normal_P = ((1.0 - share) * a.normal_P + share * b.normal_P).normalized();
-      between.turn += share * (b.turn - a.turn);
-      append(between, here, true);
-    }
-    s += span;
+  VOLUTE_CHECK(interval_mm > 0.0 && options.aim_ratio > 0.0 && options.steps_per_interval > 0.0, interval_mm,
+               options.aim_ratio, options.steps_per_interval);
+  if (piece.points.size() < 3 || places.empty()) return std::vector<char>(piece.points.size(), 0);
+  Nudged out = nudged(piece, places, interval_mm, options);
+  piece = std::move(out.piece);
+  return std::move(out.moved);
+}
+
+void nudge_finished(CcPiece& piece, std::span<const HighPlace> places, double interval_mm, const TriangleMesh& mesh,
+                    std::span<const Vec3> vertex_normals, const std::vector<TriangleOperator>& operators) {
+  // The spline leaves turns near 0 on the run along the boundary; few points a window, for short steps cost feed.
+  constexpr NudgeOptions options{.aim_ratio = 1.03, .turn_kept = 0.02, .steps_per_interval = 4.0};
+  if (piece.points.size() < 3 || places.empty()) return;
+  Nudged out = nudged(piece, places, interval_mm, options);
+  std::vector<Vec3> from, to;
+  for (std::size_t i = 0; i < out.moved.size(); ++i) {
+    if (out.moved[i] == 0) continue;
+    from.push_back(out.from_mm[i]);
+    to.push_back(out.piece.points[i].point_P_mm);
   }
-  piece = std::move(out);
-  return moved;
+  const auto before = on_mesh(mesh, vertex_normals, operators, from),
+             after = on_mesh(mesh, vertex_normals, operators, to);
+  for (std::size_t i = 0, k = 0; i < out.moved.size(); ++i) {
+    if (out.moved[i] == 0) continue;
+    CcPoint& p = out.piece.points[i];
+    p.point_P_mm = out.from_mm[i] + (after[k].point_P_mm - before[k].point_P_mm);
+    p.normal_P = (p.normal_P + after[k].normal_P - before[k].normal_P).normalized();
+    ++k;
+  }
+  piece = std::move(out.piece);
 }
 
 }  // namespace volute::planner

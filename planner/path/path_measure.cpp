@@ -17,6 +17,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double samples_per_interval = 16.0;  ///< for corners
 constexpr int scallop_samples_per_edge = 3;
+constexpr double exact_from_ratio = 0.7;  ///< of the scallops; triangles over it are looked at more closely
 
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
@@ -60,6 +61,17 @@ double interval_ratio_max(const TriangleMesh& surface, const IntervalField& inte
   return worst;
 }
 
+/// Low heights are asked for exactly only where there are no others to report.
+ScallopMap measured_scallop(const MeasureRequest& request, const CcPath& path) {
+  const IntervalRule& rule = request.intervals.rule();
+  const auto normals = geometry::vertex_normals(request.surface);
+  ScallopMap scallop = request.meter != nullptr ? request.meter->measure(path)
+                                                : scallop_meter(request.surface, normals, rule).measure(path);
+  if (scallop.statistics.p9999_ratio > exact_from_ratio) return scallop;
+  return measure_scallop(request.surface, normals, path, rule.radius_mm, rule.scallop_mm,
+                         {.per_edge = scallop_samples_per_edge, .closer_from_ratio = exact_from_ratio});
+}
+
 int count_links(const CcPiece& piece) {
   int links = 0;
   for (std::size_t i = 0; i < piece.points.size(); ++i)
@@ -68,6 +80,17 @@ int count_links(const CcPiece& piece) {
 }
 
 }  // namespace
+
+ScallopMeter scallop_meter(const TriangleMesh& surface, std::span<const Vec3> vertex_normals,
+                           const IntervalRule& rule) {
+  return {surface,
+          vertex_normals,
+          rule.radius_mm,
+          rule.scallop_mm,
+          {.per_edge = scallop_samples_per_edge,
+           .exact_from_ratio = exact_from_ratio,
+           .closer_from_ratio = exact_from_ratio}};
+}
 
 std::vector<Vec3> even_points(const CcPiece& piece, double spacing_mm) {
   const double length = piece_length_mm(piece);
@@ -132,8 +155,7 @@ std::optional<ScallopMap> measure_path(const MeasureRequest& request, const CcPa
         "only a part is machined: the lower bound is that of the whole surface, scallops are not measured");
     return {};
   }
-  ScallopMap scallop = measure_scallop(request.surface, geometry::vertex_normals(request.surface), path, rule.radius_mm,
-                                       rule.scallop_mm, {.per_edge = scallop_samples_per_edge});
+  ScallopMap scallop = measured_scallop(request, path);
   report.scallop_ratio_p9999 = scallop.statistics.p9999_ratio;
   report.scallop_ratio_max = scallop.statistics.max_ratio;
   report.scallop_area_above_percent = scallop.statistics.area_above_percent;

@@ -19,7 +19,11 @@ struct MeasureRequest {
   bool spiral_turns = false;  ///< CcPoint::turn grows along the path, one a turn: intervals can be measured
   bool whole_surface =
       true;  ///< false: the path covers a part; scallops are not measured and a note says what the bound is of
+  ScallopMeter* meter = nullptr;  ///< as scallop_meter gives it, for paths that differ in places; null: one of its own
 };
+
+/// The meter of a report: heights over 0.7 of the allowed one are exact. `vertex_normals` as geometry::vertex_normals.
+ScallopMeter scallop_meter(const TriangleMesh& surface, std::span<const Vec3> vertex_normals, const IntervalRule& rule);
 
 /// Fills `report` from `path` (all but strategy, method, rapid_traversals, liftings and notes). Definitions:
 /// docs/paths.md. Properties: 1. Corners of a square spiral are counted one by one. 2. Lengths do not depend on how

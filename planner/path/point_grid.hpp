@@ -11,22 +11,24 @@
 
 namespace volute::planner {
 
-/// Requires: cell_mm > 0. Cells are made larger where they would be more than 2^22.
+/// Requires: cell_mm > 0. Cells are made larger where they would be more than 2^22. Which cubes they are depends on
+/// their size alone, not on the points.
 class PointGrid {
  public:
-  PointGrid(std::span<const geometry::Vec3> points, double cell_mm) : points_(points), cell_mm_(cell_mm) {
-    geometry::Vec3 high = geometry::Vec3::Constant(-1e300);
-    low_ = -high;
+  PointGrid(std::span<const geometry::Vec3> points, double cell_mm) : cell_mm_(cell_mm) {
+    geometry::Vec3 low = geometry::Vec3::Constant(1e300), high = -low;
     for (const auto& p : points) {
-      low_ = low_.cwiseMin(p);
+      low = low.cwiseMin(p);
       high = high.cwiseMax(p);
     }
-    if (points.empty()) low_ = high = geometry::Vec3::Zero();
+    if (points.empty()) low = high = geometry::Vec3::Zero();
     constexpr double cells_max = 4194304.0;
-    for (; cells_over(high) > cells_max; cell_mm_ *= 1.25) {
+    for (; cells_between(low, high) > cells_max; cell_mm_ *= 1.25) {
     }
-    for (int d = 0; d < 3; ++d)
-      count_[static_cast<std::size_t>(d)] = static_cast<long>((high[d] - low_[d]) / cell_mm_) + 1;
+    for (int d = 0; d < 3; ++d) {
+      first_[static_cast<std::size_t>(d)] = cell_of(low[d]);
+      count_[static_cast<std::size_t>(d)] = cell_of(high[d]) - cell_of(low[d]) + 1;
+    }
     start_.assign(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]) + 1, 0);
     for (const auto& p : points) ++start_[number(p) + 1];
     for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
@@ -51,8 +53,8 @@ class PointGrid {
     std::array<long, 3> from{}, to{};
     for (int d = 0; d < 3; ++d) {
       const auto k = static_cast<std::size_t>(d);
-      from[k] = std::max(0L, static_cast<long>(std::floor((place[d] - reach_mm - low_[d]) / cell_mm_)));
-      to[k] = std::min(count_[k] - 1, static_cast<long>(std::floor((place[d] + reach_mm - low_[d]) / cell_mm_)));
+      from[k] = std::max(0L, cell_of(place[d] - reach_mm) - first_[k]);
+      to[k] = std::min(count_[k] - 1, cell_of(place[d] + reach_mm) - first_[k]);
     }
     if (from[2] > to[2]) return;
     for (long x = from[0]; x <= to[0]; ++x) {
@@ -69,24 +71,21 @@ class PointGrid {
   [[nodiscard]] double cell_mm() const { return cell_mm_; }
 
  private:
-  [[nodiscard]] double cells_over(const geometry::Vec3& high) const {
+  [[nodiscard]] long cell_of(double coordinate_mm) const {
+    return static_cast<long>(std::floor(coordinate_mm / cell_mm_));
+  }
+  [[nodiscard]] double cells_between(const geometry::Vec3& low, const geometry::Vec3& high) const {
     double cells = 1.0;
-    for (int d = 0; d < 3; ++d) cells *= std::floor((high[d] - low_[d]) / cell_mm_) + 1.0;
+    for (int d = 0; d < 3; ++d) cells *= std::floor((high[d] - low[d]) / cell_mm_) + 2.0;
     return cells;
   }
   [[nodiscard]] std::size_t number(const geometry::Vec3& p) const {
-    std::array<long, 3> cell{};
-    for (int d = 0; d < 3; ++d) {
-      const auto k = static_cast<std::size_t>(d);
-      cell[k] = std::min(static_cast<long>((p[d] - low_[d]) / cell_mm_), count_[k] - 1);
-    }
-    return static_cast<std::size_t>((cell[0] * count_[1] + cell[1]) * count_[2] + cell[2]);
+    const long x = cell_of(p[0]) - first_[0], y = cell_of(p[1]) - first_[1], z = cell_of(p[2]) - first_[2];
+    return static_cast<std::size_t>((x * count_[1] + y) * count_[2] + z);
   }
 
-  std::span<const geometry::Vec3> points_;
   double cell_mm_;
-  geometry::Vec3 low_;
-  std::array<long, 3> count_{};
+  std::array<long, 3> first_{}, count_{};
   std::vector<geometry::Index> start_, order_;
 };
 

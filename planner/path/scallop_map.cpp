@@ -5,38 +5,23 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <tuple>
 
 #include "geometry/check.hpp"
 #include "geometry/index.hpp"
 #include "geometry/mesh_measure.hpp"
-#include "planner/path/point_grid.hpp"
+#include "planner/path/path_interval.hpp"
+#include "planner/path/scallop_climb.hpp"
 
 namespace volute::planner {
 
 using geometry::at;
 namespace {
-
-std::vector<Vec3> ball_centres(const CcPath& path, double radius_mm, double spacing_mm) {
-  std::vector<Vec3> centres;
-  for (const CcPiece& piece : path.pieces) {
-    for (std::size_t i = 0; i < piece.points.size(); ++i) {
-      const CcPoint& a = piece.points[i];
-      centres.push_back(a.point_P_mm + radius_mm * a.normal_P);
-      if (i + 1 == piece.points.size()) continue;
-      const CcPoint& b = piece.points[i + 1];
-      const int steps = static_cast<int>(std::ceil((b.point_P_mm - a.point_P_mm).norm() / spacing_mm));
-      for (int s = 1; s < steps; ++s) {
-        const double share = static_cast<double>(s) / steps;
-        const Vec3 normal = ((1.0 - share) * a.normal_P + share * b.normal_P).normalized();
-        centres.push_back((1.0 - share) * a.point_P_mm + share * b.point_P_mm + radius_mm * normal);
-      }
-    }
-  }
-  return centres;
-}
 
 /// Barycentric middles of the per_edge^2 parts of a triangle.
 std::vector<Vec3> sample_places(int per_edge) {
@@ -105,97 +90,6 @@ std::vector<Vec3> boundary_places(const BoundaryParts& parts, int per_edge) {
   return out;
 }
 
-/// Looks around a place in six directions within the triangle, moves to what is higher, and nearer where nothing is:
-/// `look_at` keeps the highest place, which is `place` itself.
-template <class LookAt>
-void climb(const Vec3& place, double step, LookAt look_at) {
-  constexpr int nearer_max = 4, moves_max = 4;
-  const std::array<Vec3, 6> ways = {Vec3(1, -1, 0), Vec3(-1, 1, 0), Vec3(1, 0, -1),
-                                    Vec3(-1, 0, 1), Vec3(0, 1, -1), Vec3(0, -1, 1)};
-  for (int nearer = 0, moves = 0; nearer < nearer_max && moves < moves_max;) {
-    const Vec3 from = place;
-    for (const Vec3& way : ways) {
-      const Vec3 to = from + step * way;
-      if (to.minCoeff() >= 0.0) look_at(to);
-    }
-    if (place != from) {
-      ++moves;
-      continue;
-    }
-    ++nearer;
-    step *= 0.5;
-  }
-}
-
-/// The balls' centres, along the path and again cell by cell.
-class Balls {
- public:
-  Balls(std::vector<Vec3> centres, double radius_mm, double interval_mm)
-      : along_(std::move(centres)),
-        radius_mm_(radius_mm),
-        interval_mm_(interval_mm),
-        cells_(along_, 0.3 * interval_mm) {
-    in_cells_.reserve(along_.size());
-    for (Index i : cells_.order()) in_cells_.push_back(along_[at(i)]);
-  }
-
-  /// A sample point of the surface and the ball, by its number along the path, that enters its normal first so far.
-  struct Entry {
-    Vec3 point, normal;
-    double height_mm;
-    Index ball = geometry::no_index;
-  };
-  [[nodiscard]] Entry nothing_met(const Vec3& point, const Vec3& normal) const { return {point, normal, radius_mm_}; }
-
-  /// Follows the path from a ball to where the height falls no more, or is low enough.
-  void follow(Index from, double enough_mm, Entry& entry) const {
-    lower(along_[at(from)], from, entry);
-    for (const Index step : {Index{1}, Index{-1}}) {
-      for (Index i = from + step; i >= 0 && i < static_cast<Index>(along_.size()); i += step) {
-        if (entry.height_mm < enough_mm || !lower(along_[at(i)], i, entry)) break;
-      }
-    }
-  }
-
-  /// Every ball that may enter. What is seen within a short reach is never too low; only heights over `matters_mm` are
-  /// worth a longer one. Where the surface is sharply convex the balls' centres stand farther apart than the passes.
-  void search(double matters_mm, Entry& entry) const {
-    within(0.6 * interval_mm_, entry);
-    for (double reach = 1.2; entry.height_mm > matters_mm && reach < 5.0; reach *= 2.0) {
-      const double before = entry.height_mm;
-      within(reach * interval_mm_, entry);
-      if (entry.height_mm == before && before < radius_mm_) break;
-    }
-  }
-
- private:
-  /// Takes the ball's height where it is lower.
-  bool lower(const Vec3& centre, Index ball, Entry& entry) const {
-    const Vec3 to_centre = centre - entry.point;
-    const double along = to_centre.dot(entry.normal);
-    const double inside_sq = radius_mm_ * radius_mm_ - (to_centre.squaredNorm() - along * along);
-    if (inside_sq < 0.0) return false;
-    // along - sqrt(inside_sq) < height without the root, which few balls are worth.
-    const double over = along - entry.height_mm;
-    if (over >= 0.0 && inside_sq <= over * over) return false;
-    const double height = along - std::sqrt(inside_sq);
-    if (height >= entry.height_mm) return false;
-    entry.height_mm = height;
-    entry.ball = ball;
-    return true;
-  }
-
-  void within(double reach_mm, Entry& entry) const {
-    cells_.near_ranges(entry.point + radius_mm_ * entry.normal, reach_mm, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) lower(in_cells_[i], cells_.order()[i], entry);
-    });
-  }
-
-  std::vector<Vec3> along_, in_cells_;
-  double radius_mm_, interval_mm_;
-  PointGrid cells_;
-};
-
 /// Share of the area above, and the ratio that all but 1e-4 of the area stays below: only the greatest samples are put
 /// in order.
 ScallopStatistics statistics_of(const std::vector<double>& ratio, const std::vector<double>& area) {
@@ -220,64 +114,183 @@ ScallopStatistics statistics_of(const std::vector<double>& ratio, const std::vec
   return out;
 }
 
+/// The triangles along a curve that fills space: those of a chunk are neighbours, whatever the mesh's own order.
+std::vector<std::size_t> neighbours_together(const TriangleMesh& mesh) {
+  constexpr int bits = 10;
+  LookedAt box;
+  for (const Vec3& v : mesh.vertices_mm) box.extend(v);
+  const double cells_per_mm = (std::ldexp(1.0, bits) - 1.0) / std::max(box.sizes().maxCoeff(), 1e-300);
+  std::vector<std::pair<std::uint32_t, std::size_t>> order(mesh.triangles.size());
+  for (std::size_t t = 0; t < order.size(); ++t) {
+    const auto& c = mesh.triangles[t];
+    const Vec3 middle = (mesh.vertices_mm[at(c[0])] + mesh.vertices_mm[at(c[1])] + mesh.vertices_mm[at(c[2])]) / 3.0;
+    const Vec3 cell = (middle - box.min()) * cells_per_mm;
+    std::uint32_t key = 0;
+    for (int bit = bits - 1; bit >= 0; --bit) {
+      for (double x : cell) key = 2 * key + (static_cast<std::uint32_t>(x) >> bit & 1U);
+    }
+    order[t] = {key, t};
+  }
+  tbb::parallel_sort(order.begin(), order.end());
+  std::vector<std::size_t> out;
+  for (const auto& [key, t] : order) out.push_back(t);
+  return out;
+}
+
+/// A stretch of the path between two CC points: point and normal of the one, of the other.
+using Stretch = std::array<double, 12>;
+
+Stretch stretch_of(const CcPoint& a, const CcPoint& b) {
+  Stretch out;
+  auto next = out.begin();
+  for (const CcPoint* p : {&a, &b}) {
+    next = std::copy(p->point_P_mm.begin(), p->point_P_mm.end(), next);
+    next = std::copy(p->normal_P.begin(), p->normal_P.end(), next);
+  }
+  return out;
+}
+
+/// All centres of the balls on a stretch lie in it.
+LookedAt box_of(const Stretch& stretch, double radius_mm) {
+  const auto vector = [&](std::size_t i) { return Vec3(stretch[i], stretch[i + 1], stretch[i + 2]); };
+  // A normal between those of the ends is a vector between them, made longer again.
+  const double longer_mm = std::max(0.0, radius_mm * (1.0 - 0.5 * (vector(3) + vector(9)).norm()));
+  const Vec3 room = Vec3::Constant(longer_mm + 1e-9 * radius_mm);
+  LookedAt box(Vec3(vector(0) + radius_mm * vector(3)));
+  box.extend(vector(6) + radius_mm * vector(9));
+  return {box.min() - room, box.max() + room};
+}
+
+std::vector<Stretch> stretches_of(const CcPath& path) {
+  std::vector<Stretch> out;
+  for (const CcPiece& piece : path.pieces) {
+    for (std::size_t i = 0; i < piece.points.size(); ++i)
+      out.push_back(stretch_of(piece.points[i], piece.points[std::min(i + 1, piece.points.size() - 1)]));
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// Boxes of the stretches that only one of two paths has.
+std::vector<LookedAt> changed_boxes(const std::vector<Stretch>& a, const std::vector<Stretch>& b, double radius_mm) {
+  std::vector<Stretch> changed;
+  std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(changed));
+  std::vector<LookedAt> out;
+  for (const Stretch& stretch : changed) out.push_back(box_of(stretch, radius_mm));
+  return out;
+}
+
 }  // namespace
 
-ScallopMap measure_scallop(const TriangleMesh& mesh, std::span<const Vec3> vertex_normals, const CcPath& path,
-                           double radius_mm, double scallop_mm, const ScallopSampling& sampling) {
+/// Chunks of one size whatever the number of threads: a guess goes on within its chunk alone.
+struct ScallopMeter::Last {
+  static constexpr std::size_t chunk = 64;
+  ScallopBalls balls;
+  std::vector<std::array<double, 12>> stretches;  ///< of the path, in order of their numbers
+  std::vector<double> ratio;                      ///< per sample
+  std::vector<LookedAt> looked_at;                ///< per chunk
+  ScallopMap map;
+};
+
+ScallopMeter::ScallopMeter(const TriangleMesh& mesh, std::span<const Vec3> vertex_normals, double radius_mm,
+                           double scallop_mm, const ScallopSampling& sampling)
+    : mesh_(mesh),
+      vertex_normals_(vertex_normals),
+      radius_mm_(radius_mm),
+      scallop_mm_(scallop_mm),
+      sampling_(sampling),
+      places_(sample_places(sampling.per_edge)),
+      order_(neighbours_together(mesh)) {
   VOLUTE_CHECK(scallop_mm > 0.0 && scallop_mm < radius_mm && sampling.per_edge > 0, scallop_mm, radius_mm,
                sampling.per_edge);
   VOLUTE_CHECK(sampling.closer_from_ratio >= sampling.exact_from_ratio, sampling.closer_from_ratio,
                sampling.exact_from_ratio);
   VOLUTE_CHECK(vertex_normals.size() == mesh.vertices_mm.size() && !mesh.triangles.empty(), vertex_normals.size());
-  const double interval_mm = path_interval_mm(radius_mm, scallop_mm, 0.0);
-  const Balls balls(ball_centres(path, radius_mm, interval_mm / 20.0), radius_mm, interval_mm);
-  const std::vector<Vec3> places = sample_places(sampling.per_edge);
   const std::vector<BoundaryParts> boundary = boundary_parts(mesh);
-  const double settled_mm = sampling.exact_from_ratio * scallop_mm;
-  std::vector<double> ratio(mesh.triangles.size() * places.size());
-  std::vector<double> area(mesh.triangles.size());
-  ScallopMap map;
-  map.worst_ratio.resize(mesh.triangles.size());
-  map.worst_place_P_mm.resize(mesh.triangles.size());
-  const auto mix = [&](std::size_t t, const Vec3& w, std::span<const Vec3> v) {
-    const auto& c = mesh.triangles[t];
-    return Vec3(w[0] * v[at(c[0])] + w[1] * v[at(c[1])] + w[2] * v[at(c[2])]);
+  for (std::size_t t = 0; t < boundary.size(); ++t) {
+    area_mm2_.push_back(geometry::triangle_area_mm2(mesh, static_cast<Index>(t)));
+    if (boundary[t].any()) boundary_places_[t] = boundary_places(boundary[t], sampling.per_edge);
+  }
+}
+
+ScallopMeter::~ScallopMeter() = default;
+
+ScallopEntry ScallopMeter::entry(const Last& last, std::size_t t, const Vec3& place, Index& guess,
+                                 LookedAt& looked_at) const {
+  const auto mix = [&](std::span<const Vec3> v) {
+    const auto& c = mesh_.triangles[t];
+    return Vec3(place[0] * v[at(c[0])] + place[1] * v[at(c[1])] + place[2] * v[at(c[2])]);
   };
-  const auto position = [&](std::size_t t, const Vec3& w) { return mix(t, w, mesh.vertices_mm); };
-  const auto ratio_at = [&](std::size_t t, const Vec3& w, Index& guess) {
-    auto entry = balls.nothing_met(position(t, w), mix(t, w, vertex_normals).normalized());
-    if (settled_mm > 0.0 && guess != geometry::no_index) balls.follow(guess, settled_mm, entry);
-    if (entry.height_mm >= settled_mm) balls.search(0.8 * scallop_mm, entry);
-    if (entry.ball != geometry::no_index) guess = entry.ball;
-    return entry.height_mm / scallop_mm;
+  const double settled_mm = sampling_.exact_from_ratio * scallop_mm_;
+  const ScallopBalls& balls = last.balls;
+  auto entry = balls.nothing_met(mix(mesh_.vertices_mm), mix(vertex_normals_).normalized());
+  if (guess != geometry::no_index && settled_mm > 0.0) balls.follow(guess, settled_mm, entry, looked_at);
+  if (guess != geometry::no_index && settled_mm <= 0.0) balls.begin_with(guess, entry);
+  if (entry.height_mm >= settled_mm) balls.search(0.8 * scallop_mm_, entry, looked_at);
+  if (entry.ball != geometry::no_index) guess = entry.ball;
+  return entry;
+}
+
+void ScallopMeter::measure_triangle(Last& last, std::size_t t, Index& guess, LookedAt& looked_at) const {
+  SeenPlace highest{places_.front(), {}};
+  highest.entry.height_mm = -radius_mm_;
+  const auto look_at = [&](const Vec3& place) {
+    const SeenPlace seen{place, entry(last, t, place, guess, looked_at)};
+    if (seen.entry.height_mm > highest.entry.height_mm) highest = seen;
+    return seen;
   };
-  const auto measure = [&](std::size_t t, Index& guess) {
-    area[t] = geometry::triangle_area_mm2(mesh, static_cast<Index>(t));
-    double worst = -radius_mm / scallop_mm;
-    Vec3 place = places.front();
-    const auto look_at = [&](const Vec3& w) {
-      const double found = ratio_at(t, w, guess);
-      if (found > worst) place = w;
-      worst = std::max(worst, found);
-      return found;
-    };
-    for (std::size_t s = 0; s < places.size(); ++s) ratio[t * places.size() + s] = look_at(places[s]);
-    if (boundary[t].any()) {
-      for (const Vec3& w : boundary_places(boundary[t], sampling.per_edge)) look_at(w);
-    }
-    if (worst > sampling.closer_from_ratio) climb(place, 0.5 / sampling.per_edge, look_at);
-    map.worst_ratio[t] = worst;
-    map.worst_place_P_mm[t] = position(t, place);
-  };
-  // Chunks of one size whatever the number of threads: a guess goes on within its chunk alone.
-  constexpr std::size_t chunk = 64;
-  tbb::parallel_for(std::size_t{0}, (area.size() + chunk - 1) / chunk, [&](std::size_t k) {
+  for (std::size_t s = 0; s < places_.size(); ++s)
+    last.ratio[t * places_.size() + s] = look_at(places_[s]).entry.height_mm / scallop_mm_;
+  if (const auto boundary = boundary_places_.find(t); boundary != boundary_places_.end()) {
+    for (const Vec3& place : boundary->second) look_at(place);
+  }
+  if (highest.entry.height_mm > sampling_.closer_from_ratio * scallop_mm_) {
+    const Facet facet(mesh_, t);
+    if (facet.size_mm() > 0.0)
+      climb_scallop(last.balls, facet, highest, 0.5 / sampling_.per_edge * facet.size_mm(), look_at);
+  }
+  last.map.worst_ratio[t] = highest.entry.height_mm / scallop_mm_;
+  last.map.worst_place_P_mm[t] = highest.entry.point_mm;
+}
+
+const ScallopMap& ScallopMeter::measure(const CcPath& path) {
+  const double interval_mm = path_interval_mm(radius_mm_, scallop_mm_, 0.0);
+  ScallopBalls balls(path, radius_mm_, interval_mm);
+  auto stretches = stretches_of(path);
+  const std::size_t triangles = mesh_.triangles.size();
+  std::vector<LookedAt> changed;
+  const bool anew = !last_ || !last_->balls.same_cells(balls);
+  if (anew) {
+    last_ = std::make_unique<Last>(Last{std::move(balls), std::move(stretches), {}, {}, {}});
+    last_->ratio.resize(triangles * places_.size());
+    last_->looked_at.resize((triangles + Last::chunk - 1) / Last::chunk);
+    last_->map.worst_ratio.resize(triangles);
+    last_->map.worst_place_P_mm.resize(triangles);
+  } else {
+    changed = changed_boxes(last_->stretches, stretches, radius_mm_);
+    last_->balls = std::move(balls);
+    last_->stretches = std::move(stretches);
+  }
+  std::atomic<std::size_t> measured = 0;
+  tbb::parallel_for(std::size_t{0}, last_->looked_at.size(), [&](std::size_t k) {
+    LookedAt& looked_at = last_->looked_at[k];
+    const auto near = [&](const LookedAt& box) { return box.intersects(looked_at); };
+    if (!anew && std::none_of(changed.begin(), changed.end(), near)) return;
+    looked_at.setEmpty();
     Index guess = geometry::no_index;
-    for (std::size_t t = k * chunk; t < std::min(area.size(), (k + 1) * chunk); ++t) measure(t, guess);
+    const std::size_t end = std::min(triangles, (k + 1) * Last::chunk);
+    for (std::size_t i = k * Last::chunk; i < end; ++i) measure_triangle(*last_, order_[i], guess, looked_at);
+    measured += end - k * Last::chunk;
   });
-  map.statistics = statistics_of(ratio, area);
-  map.statistics.max_ratio = *std::max_element(map.worst_ratio.begin(), map.worst_ratio.end());
-  return map;
+  measured_ = measured;
+  last_->map.statistics = statistics_of(last_->ratio, area_mm2_);
+  last_->map.statistics.max_ratio = *std::max_element(last_->map.worst_ratio.begin(), last_->map.worst_ratio.end());
+  return last_->map;
+}
+
+ScallopMap measure_scallop(const TriangleMesh& mesh, std::span<const Vec3> vertex_normals, const CcPath& path,
+                           double radius_mm, double scallop_mm, const ScallopSampling& sampling) {
+  return ScallopMeter(mesh, vertex_normals, radius_mm, scallop_mm, sampling).measure(path);
 }
 
 }  // namespace volute::planner

@@ -1,6 +1,7 @@
 // Passes moved towards single places that they leave too high.
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -84,6 +85,50 @@ TEST(EvenNudge, TheRunAlongTheOuterBoundaryStays) {
     }
   }
   EXPECT_LT(nearest_mm(piece, Vec3(20.0, 1.0, 0.0)), 1.0 - 0.05);
+}
+
+/// A plane of two triangles under the three passes.
+TriangleMesh plane_below() {
+  TriangleMesh mesh;
+  mesh.vertices_mm = {{-10, -10, 0}, {50, -10, 0}, {50, 20, 0}, {-10, 20, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+// A finished path stands beside the mesh (here 0.03 mm above it, normals a little off): what moves keeps that, what
+// does not move stays bit by bit, and so does the run along the boundary, whose turns the spline leaves near 0.
+TEST(EvenNudge, AFinishedPieceKeepsItsDistanceFromTheMesh) {
+  const TriangleMesh mesh = plane_below();
+  const std::vector<Vec3> normals(4, Vec3::UnitZ());
+  const auto operators = triangle_operators(mesh);
+  CcPiece piece = three_passes();
+  const Vec3 normal = Vec3(0.01, 0.0, 1.0).normalized();
+  for (CcPoint& p : piece.points) {
+    p.point_P_mm.z() = 0.03;
+    p.normal_P = normal;
+    p.turn = p.turn <= 1.0 ? 0.01 : p.turn;
+  }
+  const CcPiece before = piece;
+  const std::vector<HighPlace> places{{Vec3(20.0, 1.0, 0.0), 1.21}};
+  nudge_finished(piece, places, apart_mm, mesh, normals, operators);
+  std::size_t same = 0, moved = 0;
+  for (const CcPoint& p : piece.points) {
+    EXPECT_NEAR(p.point_P_mm.z(), 0.03, 1e-12);
+    EXPECT_NEAR((p.normal_P - normal).norm(), 0.0, 1e-12);
+    if (p.turn == 0.01) {
+      EXPECT_EQ(p.point_P_mm.y(), 0.0);
+    }
+    moved += std::abs(std::remainder(p.point_P_mm.y(), apart_mm)) > 1e-9 ? 1 : 0;
+    same += std::any_of(before.points.begin(), before.points.end(),
+                        [&](const CcPoint& q) { return q.point_P_mm == p.point_P_mm; })
+                ? 1
+                : 0;
+  }
+  EXPECT_GT(moved, 5U);
+  EXPECT_GT(same, before.points.size() - 12);
+  // Taken down to 1.03: the share of its distance (1 mm) that the height, growing with its square, asks for.
+  const double share = 1.0 - std::sqrt(1.03 / 1.21);
+  EXPECT_NEAR(nearest_mm(piece, Vec3(20.0, 2.0 - share, 0.03)), 0.0, 2e-3);
 }
 
 }  // namespace
