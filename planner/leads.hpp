@@ -40,7 +40,7 @@ class Leads {
   /// From the last point of one piece to the first of the next, both left out: lead, up, across, down, lead. Nothing
   /// when no such way is proved free, or none is shorter than that over clearance height.
   /// The way across is looked at as controls make it: tip straight, axis on the great circle, and also the rotaries in
-  /// step from each solution of the machine to each; with machine links. Whatever rotary has to be rewound
+  /// step from each solution of the machine to each, then with the machine's links. Whatever rotary has to be rewound
   /// there can be: from both places the tool can go out along its axis and straight up.
   [[nodiscard]] std::optional<kinematics::ToolPath> link(const kinematics::ToolPath& before,
                                                          const kinematics::ToolPath& after) const;

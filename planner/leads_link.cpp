@@ -129,10 +129,8 @@ bool Leads::is_free_in_step(const ToolPose& from, const ToolPose& to, const std:
 bool Leads::is_free_across(const ToolPose& from, const ToolPose& to) const {
   const auto ways = turns_between(from.axis_P, to.axis_P);
   if (!ways) return false;
-  if (ways->empty()) return is_free_step({from, to, {}});
-  return std::all_of(ways->begin(), ways->end(), [&](const std::array<RotaryPair, 2>& way) {
-    return is_free_step({from, to, way}) && is_free_in_step(from, to, way);
-  });
+  return is_free_step({from, to, {}}) &&
+         std::all_of(ways->begin(), ways->end(), [&](const auto& way) { return is_free_in_step(from, to, way); });
 }
 
 std::optional<ToolPath> Leads::link(const ToolPath& before, const ToolPath& after) const {
