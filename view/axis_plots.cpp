@@ -4,6 +4,7 @@
 #include <functional>
 #include <numbers>
 
+#include "geometry/number_text.hpp"
 #include "sim/loads.hpp"
 
 namespace volute::view {
@@ -96,6 +97,8 @@ PlotPanel load_panel(const RunView& view, std::initializer_list<int> axes, const
     PlotSeries series{std::string(1, drive.letter), plot_colours()[static_cast<std::size_t>(axis % 3)], {}};
     for (const sim::AxisSample& s : view.trace.samples)
       series.points.emplace_back(s.time_s, dynamics.drive_forces(s.position, s.velocity, s.acceleration)[axis]);
+    // Which of the dashed lines is whose.
+    if (drive.force_max) series.name += ", limit " + geometry::short_text(*drive.force_max, 6);
     result.series.push_back(std::move(series));
     if (drive.force_max) result.limits.insert(result.limits.end(), {*drive.force_max, -*drive.force_max});
   }

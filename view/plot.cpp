@@ -142,15 +142,17 @@ std::string limit_lines(const PlotPanel& panel, const PanelFrame& frame) {
   return out;
 }
 
-/// The limits that are too far from the curves to be drawn, each once: "limits ±180, ±600 are farther out".
+/// The limits of which neither side is near enough to the curves to be drawn, each once: "limits ±180, ±600 are farther
+/// out".
 std::string hidden_limits(const PlotPanel& panel, const PanelFrame& frame) {
+  const auto drawn = [&](double limit) { return limit >= frame.y.least && limit <= frame.y.greatest; };
   std::vector<double> hidden;
   for (const double limit : panel.limits)
-    if (limit < frame.y.least || limit > frame.y.greatest) hidden.push_back(std::abs(limit));
+    if (!drawn(limit) && !drawn(-limit)) hidden.push_back(std::abs(limit));
   std::sort(hidden.begin(), hidden.end());
   hidden.erase(std::unique(hidden.begin(), hidden.end()), hidden.end());
   std::string words;
-  for (const double limit : hidden) words += (words.empty() ? "limits ±" : ", ±") + short_text(limit, 4);
+  for (const double limit : hidden) words += (words.empty() ? "limits ±" : ", ±") + short_text(limit, 6);
   return words.empty() ? words : words + " are farther out";
 }
 
