@@ -253,28 +253,37 @@ std::vector<double> EvenFieldSolver::needed_gradient(std::span<const Vec2> direc
   return out;
 }
 
-void EvenFieldSolver::smooth_directions(std::vector<Vec2>& direction) const {
+void EvenFieldSolver::smooth_directions(EvenField& field) const {
+  constexpr double one_way = 0.97;  // of a bend that the mesh resolves
   const EvenDomain& domain = *domain_;
   std::vector<Vec3> at_vertex(domain.mesh.vertices_mm.size());
+  std::vector<Vec2> mean = field.direction;
   for (int round = 0; round < options_.direction_rounds; ++round) {
     for_each_index(at_vertex.size(), [&](std::size_t v) {
       Vec3 sum = Vec3::Zero();
       double area = 0.0;
       for (Index corner : corners_.of(static_cast<Index>(v))) {
         const TriangleOperator& o = domain.operators[at(corner / 3)];
-        sum += o.area_mm2 * o.to_space(direction[at(corner / 3)]);
+        sum += o.area_mm2 * o.to_space(mean[at(corner / 3)]);
         area += o.area_mm2;
       }
       at_vertex[v] = area > 0.0 ? Vec3(sum / area) : Vec3(Vec3::Zero());
     });
-    for_each_index(direction.size(), [&](std::size_t t) {
+    for_each_index(mean.size(), [&](std::size_t t) {
       const auto& c = domain.mesh.triangles[t];
-      const Vec2 mean = domain.operators[t].to_plane(at_vertex[at(c[0])] + at_vertex[at(c[1])] + at_vertex[at(c[2])]);
-      direction[t] = unit_or(mean, direction[t]);
+      const Vec2 sum = domain.operators[t].to_plane(at_vertex[at(c[0])] + at_vertex[at(c[1])] + at_vertex[at(c[2])]);
+      mean[t] = options_.creases ? Vec2(sum / 3.0) : unit_or(sum, mean[t]);
     });
   }
+  field.agreement.assign(mean.size(), 1.0);
+  if (options_.creases) {
+    for_each_index(mean.size(), [&](std::size_t t) {
+      field.agreement[t] = std::min(1.0, mean[t].norm() / one_way);
+      mean[t] = unit_or(mean[t], field.direction[t]);
+    });
+  }
+  field.direction = std::move(mean);
 }
-
 void EvenFieldSolver::turn_directions(EvenField& field, std::span<const Vec2> gradient) const {
   constexpr double turn_cosine_min =
       0.2;  // a gradient that left its direction this far says that the triangle is not settled
@@ -282,7 +291,7 @@ void EvenFieldSolver::turn_directions(EvenField& field, std::span<const Vec2> gr
     const Vec2 now = unit_or(gradient[t], field.direction[t]);
     if (now.dot(field.direction[t]) > turn_cosine_min) field.direction[t] = now;
   });
-  smooth_directions(field.direction);
+  smooth_directions(field);
   const double cone_cosine = std::cos(options_.cone_rad), cone_sine = std::sin(options_.cone_rad);
   for_each_index(gradient.size(), [&](std::size_t t) {
     const Vec2& axis = harmonic_direction_[t];
@@ -327,7 +336,8 @@ void EvenFieldSolver::improve(EvenField& field, std::span<const double> gain, in
   std::vector<double> corner_load(3 * triangles);
   Eigen::VectorXd unknowns;
   for (int o = 0; o < outer; ++o) {
-    const std::vector<double> needed = needed_gradient(field.direction, gain);
+    std::vector<double> needed = needed_gradient(field.direction, gain);
+    for (std::size_t t = 0; t < field.agreement.size(); ++t) needed[t] *= field.agreement[t];
     for (int i = 0; i < inner; ++i) {
       unknowns = step(field, needed, corner_load);
       field.phi = values(unknowns);

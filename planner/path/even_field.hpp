@@ -19,20 +19,24 @@ struct EvenFieldOptions {
   double relaxation = 1.7;   ///< of ADMM, 1 to 2: speed only
   double cone_rad = 1.2;     ///< the gradient stays this near the harmonic one: no critical points
   int direction_rounds = 2;  ///< averages of the direction over neighbours, per update
+  bool creases = false;  ///< where directions around a triangle disagree, less is asked for: passes may have corners
 };
 
 /// The field and what the optimisation goes on from.
 struct EvenField {
-  std::vector<double> phi;      ///< per vertex: 0 on the outer loop, `turns` on the centre
-  std::vector<Vec2> direction;  ///< per triangle, unit, in its frame: where phi is asked to grow
-  std::vector<Vec2> dual;       ///< per triangle: ADMM's scaled multiplier
+  std::vector<double> phi;        ///< per vertex: 0 on the outer loop, `turns` on the centre
+  std::vector<Vec2> direction;    ///< per triangle, unit, in its frame: where phi is asked to grow
+  std::vector<double> agreement;  ///< per triangle, of the directions around it: 1 where all point one way, 0 opposite
+  std::vector<Vec2> dual;         ///< per triangle: ADMM's scaled multiplier
   double turns = 0.0;
   std::vector<double> float_levels;  ///< phi - theta on each floating hole
 };
 
 /// The optimisation on one domain: one factorisation, any number of improvements.
 /// Minimises sum A (|q| + mu |q|^2 / 2 g) + bend |Laplacian (phi - theta)|^2 over q = grad (phi - theta), which the
-/// path runs across, with q . d >= g = gain / L(d), by ADMM with the closed form in each triangle.
+/// path runs across, with q . d >= g = gain / L(d), by ADMM with the closed form in each triangle. With `creases` g is
+/// multiplied by the length of the mean of the unit directions around: where passes turn a corner by 2 a, half of them
+/// on either side, that is cos a, which is what either side's own gradient has along the bisector.
 class EvenFieldSolver {
  public:
   /// `float_levels`: the value of phi - theta held on each floating hole; nothing: constant there, but free.
@@ -65,7 +69,7 @@ class EvenFieldSolver {
   [[nodiscard]] Eigen::VectorXd step(EvenField& field, std::span<const double> needed,
                                      std::vector<double>& corner_load) const;
   void turn_directions(EvenField& field, std::span<const Vec2> gradient) const;
-  void smooth_directions(std::vector<Vec2>& direction) const;
+  void smooth_directions(EvenField& field) const;
   [[nodiscard]] std::vector<double> needed_gradient(std::span<const Vec2> direction,
                                                     std::span<const double> gain) const;
 

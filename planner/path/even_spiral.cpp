@@ -3,12 +3,16 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "geometry/mesh_measure.hpp"
+#include "geometry/number_text.hpp"
 #include "planner/path/even_centre.hpp"
 #include "planner/path/even_loop.hpp"
 #include "planner/path/even_prolong.hpp"
@@ -21,8 +25,8 @@ namespace {
 using geometry::Angle;
 using geometry::Vec2;
 
-constexpr double scallop_kept = 1.2;  ///< times the allowed one: with more, another centre is tried
-constexpr double near_bound = 1.53;   ///< times the bound: where a path is longer, more centres are searched and tried
+constexpr double scallop_kept = 1.2;     ///< times the allowed one: with more, another centre is tried
+constexpr double long_path = 1.5;        ///< times the path of a plane as large: with more, sharper bends are tried
 constexpr double map_hole_radius = 1.0;  ///< of the centre in the picture, turns
 
 Vec2 in_map(const EvenField& field, double theta, double phi) {
@@ -105,7 +109,35 @@ Result<EvenSurface> field_surface(const EvenSurface& surface, const IntervalRule
 struct Planned {
   EvenDomain domain;
   EvenRound round;
+  std::string note;  ///< what the user should know of how it was found
 };
+
+/// One way to look for the path.
+struct Search {
+  CentreSearchOptions centres;
+  EvenLoopOptions loop;
+  int coarse_triangles = 5000;  ///< of the mesh on which the first fields of the best centres are found
+};
+
+/// Passes may bend sharply, which long and narrow parts of a surface ask for: they turn back there instead of running
+/// on closer together.
+Search with_bend(double bend) {
+  Search search;
+  for (EvenFieldOptions* field : {&search.centres.field, &search.loop.first_field, &search.loop.field})
+    field->bend = bend;
+  search.loop.sharp_max = std::numeric_limits<int>::max();
+  return search;
+}
+
+/// Sharper bends; then sharper still, with creases, on meshes fine enough to see them.
+std::array<Search, 2> sharper_searches() {
+  Search creased = with_bend(0.03);
+  for (EvenFieldOptions* field : {&creased.centres.field, &creased.loop.first_field, &creased.loop.field})
+    field->creases = true;
+  creased.centres.triangles = 4000;
+  creased.coarse_triangles = 16000;
+  return {with_bend(0.1), creased};
+}
 
 /// A centre with its first field on the coarse mesh.
 struct Finalist {
@@ -115,10 +147,10 @@ struct Finalist {
   double promised_mm = 0.0;
 };
 Result<Finalist> finalist_of(const EvenSurface& coarse, const Centre& centre, const IntervalRule& rule,
-                             double ramp_share) {
+                             double ramp_share, const EvenLoopOptions& loop) {
   auto domain = even_domain(coarse, centre, ramp_share);
   if (!domain) return tl::unexpected(domain.error());
-  auto first = first_field(*domain, rule, EvenLoopOptions{});
+  auto first = first_field(*domain, rule, loop);
   if (!first) return tl::unexpected(first.error());
   const double promised_mm = promised_length_mm(*domain, rule, first->slopes);
   return Finalist{centre, std::move(*domain), std::move(first->field), promised_mm};
@@ -126,10 +158,10 @@ Result<Finalist> finalist_of(const EvenSurface& coarse, const Centre& centre, co
 
 /// The finalists, the shortest first; the last error where there is none.
 Result<std::vector<Finalist>> finalists_of(const EvenSurface& coarse, std::span<const Centre> centres,
-                                           const IntervalRule& rule, double ramp_share) {
+                                           const IntervalRule& rule, double ramp_share, const EvenLoopOptions& loop) {
   std::vector<std::optional<Result<Finalist>>> tried(centres.size());
   tbb::parallel_for(std::size_t{0}, tried.size(),
-                    [&](std::size_t i) { tried[i] = finalist_of(coarse, centres[i], rule, ramp_share); });
+                    [&](std::size_t i) { tried[i] = finalist_of(coarse, centres[i], rule, ramp_share, loop); });
   std::vector<Finalist> out;
   for (auto& finalist : tried) {
     if (*finalist) out.push_back(std::move(**finalist));
@@ -141,14 +173,14 @@ Result<std::vector<Finalist>> finalists_of(const EvenSurface& coarse, std::span<
 }
 
 Result<Planned> planned_around(const EvenSurface& surface, const EvenSurface& coarse, Finalist& finalist,
-                               const IntervalRule& rule, double ramp_share) {
-  if (auto settled = settle_first_field(finalist.domain, rule, EvenLoopOptions{}, finalist.field); !settled)
+                               const IntervalRule& rule, double ramp_share, const EvenLoopOptions& loop) {
+  if (auto settled = settle_first_field(finalist.domain, rule, loop, finalist.field); !settled)
     return tl::unexpected(settled.error());
   auto domain = even_domain(surface, moved_centre(coarse, finalist.centre, surface), ramp_share);
   if (!domain) return tl::unexpected(domain.error());
-  auto round = even_rounds(*domain, prolonged(finalist.domain, finalist.field, *domain), rule, EvenLoopOptions{});
+  auto round = even_rounds(*domain, prolonged(finalist.domain, finalist.field, *domain), rule, loop);
   if (!round) return tl::unexpected(round.error());
-  return Planned{std::move(*domain), std::move(*round)};
+  return Planned{std::move(*domain), std::move(*round), {}};
 }
 
 /// The shortest first, then the one with the fewest arms (short arms on a small part leave no room for turns around
@@ -175,36 +207,73 @@ double weight(const EvenRound& round) {
 
 /// The best few centres of a search on the coarse mesh, with their fields.
 Result<std::vector<Finalist>> searched_finalists(const EvenSurface& coarse, const IntervalRule& rule,
-                                                 const PathOptions& options, double ramp_share, bool ridges) {
+                                                 const PathOptions& options, double ramp_share, const Search& search) {
   constexpr std::size_t finalists_max = 4;
-  const auto centres = choose_centres(coarse, rule, options, {.ridges = ridges});
+  const auto centres = choose_centres(coarse, rule, options, search.centres);
   if (!centres) return tl::unexpected(centres.error());
-  return finalists_of(coarse, std::span(*centres).first(std::min(centres->size(), finalists_max)), rule, ramp_share);
+  return finalists_of(coarse, std::span(*centres).first(std::min(centres->size(), finalists_max)), rule, ramp_share,
+                      search.loop);
 }
 
+bool held(const Result<Planned>& planned) { return planned && planned->round.scallop.max_ratio <= scallop_kept; }
+
 /// The centre found on a coarse mesh, the best few weighed by a better field, and the path around it; around another
-/// where it falls into pieces or leaves far more than the scallop, at last around one that a longer search finds.
-Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options) {
-  constexpr int coarse_triangles = 5000;
+/// where it falls into pieces or leaves far more than the scallop.
+Result<Planned> planned_by(const Search& search, const EvenSurface& surface, const IntervalRule& rule,
+                           const PathOptions& options) {
   const double ramp_share = ramp_share_of(surface, rule);
-  const auto coarse = coarse_surface(surface, coarse_triangles);
+  const auto coarse = coarse_surface(surface, search.coarse_triangles);
   if (!coarse) return tl::unexpected(coarse.error());
   PathOptions on_coarse = options;
   if (options.centre_loop > 0 && options.centre_loop < static_cast<int>(surface.topology.boundary_loops().size())) {
     on_coarse.centre_loop = moved_centre(surface, {Index{options.centre_loop}, {}}, *coarse).loop;
   }
+  auto finalists = searched_finalists(*coarse, rule, on_coarse, ramp_share, search);
+  if (!finalists) return tl::unexpected(finalists.error());
   Result<Planned> planned = geometry::bad_input("path-even-broken", "no centre was tried");
-  const auto held = [&] { return planned && planned->round.scallop.max_ratio <= scallop_kept; };
-  for (const bool ridges : {false, true}) {
-    auto finalists = searched_finalists(*coarse, rule, on_coarse, ramp_share, ridges);
-    if (!finalists) return ridges ? std::move(planned) : tl::unexpected(finalists.error());
-    for (const std::size_t i : tried_in_order(*finalists, ridges)) {
-      auto next = planned_around(surface, *coarse, (*finalists)[i], rule, ramp_share);
-      if (next && planned && weight(next->round) >= weight(planned->round)) continue;
-      if (next || !planned) planned = std::move(next);
-      if (held()) return planned;
-    }
-    if (options.centre_loop > 0) break;
+  for (const std::size_t i : tried_in_order(*finalists, search.centres.ridges)) {
+    auto next = planned_around(surface, *coarse, (*finalists)[i], rule, ramp_share, search.loop);
+    if (next && planned && weight(next->round) >= weight(planned->round)) continue;
+    if (next || !planned) planned = std::move(next);
+    if (held(planned)) break;
+  }
+  return planned;
+}
+
+/// Length over that of a plane as large.
+double flat_ratio(const EvenRound& round, const EvenSurface& surface, const IntervalRule& rule) {
+  return round.length_mm * rule.interval_mm(0.0) / geometry::area_mm2(surface.mesh);
+}
+
+/// As planned_by; where that leaves far more than the scallop, around a centre with arms along ridges too.
+Result<Planned> planned_or_longer(Search search, const EvenSurface& surface, const IntervalRule& rule,
+                                  const PathOptions& options) {
+  auto planned = planned_by(search, surface, rule, options);
+  if (held(planned) || options.centre_loop > 0) return planned;
+  search.centres.ridges = true;
+  auto next = planned_by(search, surface, rule, options);
+  if (next && (!planned || weight(next->round) < weight(planned->round))) return next;
+  return planned;
+}
+
+/// `rounder_mm`: length of the path with few corners, infinite where there is none.
+std::string sharper_note(const EvenRound& round, double rounder_mm) {
+  if (!std::isfinite(rounder_mm)) return "even: passes bend sharply: with few corners there is no path in one piece";
+  return "even: passes bend sharply: with few corners the path would be " +
+         geometry::short_text(100.0 * (rounder_mm / round.length_mm - 1.0), 2) + " % longer";
+}
+
+/// The usual search, and others with sharper bends as long as the path is long. The lightest path goes on.
+Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options) {
+  constexpr double shorter_by = 0.97;  // times the length: for less, sharper bends are not worth it
+  auto planned = planned_or_longer({}, surface, rule, options);
+  const double rounder_mm = planned ? planned->round.length_mm : std::numeric_limits<double>::infinity();
+  for (const Search& search : sharper_searches()) {
+    if (planned && flat_ratio(planned->round, surface, rule) <= long_path) break;
+    auto next = planned_or_longer(search, surface, rule, options);
+    if (!next || (planned && weight(next->round) >= shorter_by * weight(planned->round))) continue;
+    planned = std::move(next);
+    planned->note = sharper_note(planned->round, rounder_mm);
   }
   return planned;
 }
@@ -222,7 +291,7 @@ Result<CcPathResult> plan_even_spiral(const geometry::TriangleMesh& surface, con
   if (!on) return tl::unexpected(on.error());
   auto planned = planned_round(*on, interval.rule(), options);
   if (!planned) return tl::unexpected(planned.error());
-  auto& [domain, round] = *planned;
+  auto& [domain, round, note] = *planned;
 
   const bool finer_given = on->mesh.triangles.size() < prepared->mesh.triangles.size();
   if (finer_given) round.cc = on_surface(*prepared, round.cc);
@@ -231,6 +300,7 @@ Result<CcPathResult> plan_even_spiral(const geometry::TriangleMesh& surface, con
   out.surface.boundary_loops = static_cast<int>(prepared->topology.boundary_loops().size());
   out.surface.area_mm2 = geometry::area_mm2(surface);
   out.report = report_of(round, interval, options);
+  if (!note.empty()) out.report.notes.push_back(std::move(note));
   out.map = drawing_of(domain, round.field);
   out.path = std::move(round.cc);
   return out;

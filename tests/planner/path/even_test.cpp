@@ -1,8 +1,10 @@
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -14,6 +16,7 @@
 #include "planner/path/even_spiral.hpp"
 #include "planner/path/path_interval.hpp"
 #include "tests/planner/path/dense_scallop.hpp"
+#include "tests/planner/path/sample_surfaces.hpp"
 
 namespace volute::planner {
 namespace {
@@ -133,6 +136,21 @@ TEST(EvenSpiral, EndsInASlitWhereThereIsNoHole) {
   EXPECT_GT(result.map.guide_lines.size(), 5u);  // one a turn: 25 mm over intervals of 2.2 mm, in from both sides
 }
 
+TEST(EvenSpiral, BendsSharplyWhereRoundBendsTakeALongPath) {
+  samples::PlateOptions plate;
+  plate.width_mm = 30.0;
+  plate.depth_mm = 18.0;
+  plate.columns = 20;
+  plate.rows = 12;
+  TriangleMesh mesh = samples::plate(plate);
+  for (Vec3& p : mesh.vertices_mm) p.y() *= 0.55 - 0.03 * p.x();  // from 18 to 2 mm
+  const CcPathResult result = planned(mesh, 3.0, 0.2);
+  ASSERT_EQ(result.path.pieces.size(), 1u);
+  EXPECT_LE(*result.report.scallop_ratio_p9999, 1.05);
+  ASSERT_EQ(result.report.notes.size(), 1u);
+  EXPECT_NE(result.report.notes[0].find("passes bend sharply"), std::string::npos) << result.report.notes[0];
+}
+
 TEST(EvenSpiral, SameBytesOnOneAndTwoThreads) {
   const TriangleMesh mesh = disc_with_holes(24.0, {{8.0, 3.0, 5.0}}, 1.4);
   std::vector<CcPathResult> results;
@@ -217,6 +235,44 @@ TEST(EvenField, StiffeningLowersTheBending) {
   }
   EXPECT_EQ(fields[0].phi, fields[1].phi);
   EXPECT_LT(bent[2], 0.5 * bent[0]);
+}
+
+/// A flat square ring about the origin: rays of a round ring stretched onto squares.
+TriangleMesh square_ring(double inner_mm, double outer_mm, int around, int across) {
+  TriangleMesh mesh = samples::ring(inner_mm, outer_mm, around, across);
+  for (Vec3& p : mesh.vertices_mm) p *= p.norm() / std::max(std::abs(p.x()), std::abs(p.y()));
+  return mesh;
+}
+
+/// Path length that the field asks for over the least: the mean of |grad| times the interval, where the plane is flat.
+double mean_slope_ratio(const EvenDomain& domain, const std::vector<Vec2>& slopes, double interval_mm) {
+  double sum = 0.0, area_mm2 = 0.0;
+  for (std::size_t t = 0; t < slopes.size(); ++t) {
+    sum += domain.operators[t].area_mm2 * slopes[t].norm() * interval_mm;
+    area_mm2 += domain.operators[t].area_mm2;
+  }
+  return sum / area_mm2;
+}
+
+TEST(EvenField, CreasesLetPassesTurnCornersAtTheSameDistance) {
+  const auto surface = EvenSurface::build(square_ring(4.0, 20.0, 160, 24));
+  ASSERT_TRUE(surface.has_value());
+  const auto domain = even_domain(*surface, Centre{Index{1}, {}});
+  ASSERT_TRUE(domain.has_value());
+  const IntervalRule rule = interval_rule(ball(3.0), 0.2, {});
+  const std::vector<double> gain(domain->mesh.triangles.size(), 1.0);
+  std::array<double, 2> ratio{};
+  for (const bool creases : {false, true}) {
+    const EvenFieldOptions options{.bend = 0.01, .creases = creases};
+    const auto solver = EvenFieldSolver::build(*domain, rule, options, std::nullopt);
+    ASSERT_TRUE(solver.has_value());
+    EvenField field = solver->start();
+    solver->improve(field, gain, 10, 25);
+    ratio[creases ? 1 : 0] = mean_slope_ratio(*domain, solver->slopes(field), rule.interval_mm(0.0));
+  }
+  // Nested squares have 1; arcs around the corners, an interval apart on the diagonals, far more.
+  EXPECT_GT(ratio[0], 1.05);
+  EXPECT_NEAR(ratio[1], 1.0, 0.02);
 }
 
 TEST(EvenResample, CoarserKeepsTopologyAndVertices) {
