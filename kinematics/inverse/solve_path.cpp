@@ -61,11 +61,14 @@ AxisPathPoint over_the_top(const PathProblem& problem, const AxisPathPoint& from
   return point;
 }
 
+// A place in the air was reached in rapid and has no feed to go on with.
+MoveKind at_feed(const AxisPathPoint& place, MoveKind move) { return place.feed_mm_s > 0.0 ? move : MoveKind::rapid; }
+
 // Off the part along the tool axis, up to the top of Z, turn there, down again, back along the axis: TCP is off while
 // rotaries turn.
 void append_rewind(const PathProblem& problem, AxisPath& path, const AxisPathPoint& back_at) {
   const AxisPathPoint left_at = path.points.back();
-  const AxisPathPoint lifted_before = lifted(problem, left_at, MoveKind::retract);
+  const AxisPathPoint lifted_before = lifted(problem, left_at, at_feed(left_at, MoveKind::retract));
   const AxisPathPoint lifted_after = lifted(problem, back_at, MoveKind::rapid);
   AxisPathPoint down = lifted_after;
   down.machine_move = true;
@@ -73,7 +76,7 @@ void append_rewind(const PathProblem& problem, AxisPath& path, const AxisPathPoi
   path.points.push_back(over_the_top(problem, lifted_before, lifted_before.q));
   path.points.push_back(over_the_top(problem, lifted_after, lifted_after.q));
   path.points.push_back(down);
-  path.points.push_back(inserted(back_at, MoveKind::approach, false));
+  path.points.push_back(inserted(back_at, at_feed(back_at, MoveKind::approach), false));
 }
 
 // Rotaries of the point that a rewind returns to, with the turns (and, at a reposition, the branch) of the stretch that

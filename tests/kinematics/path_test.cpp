@@ -130,12 +130,14 @@ TEST(Path, ARewindFallsWhereTheToolIsOffThePartAnyway) {
   machine.axes[4].travel_max = 3.0 * pi;
   ToolPath path = circles(4, 60, 0.5);
   path.points[130].move = MoveKind::rapid;  // a jump after a little more than two of the four turns; three would fit
+  path.points[130].feed_mm_s = 0.0;
   const std::vector<AxisPathPoint> points = solved(machine, path).path.points;
   std::int32_t before_rewind = -1;
   for (std::size_t i = 1; i < points.size() && before_rewind < 0; ++i)
     if (points[i].machine_move)
       for (std::size_t k = i; k-- > 0 && before_rewind < 0;) before_rewind = points[k].source;
   EXPECT_EQ(before_rewind, 130) << "at the end of the jump";
+  for (const AxisPathPoint& point : points) EXPECT_EQ(point.move == MoveKind::rapid, point.feed_mm_s == 0.0);
 }
 
 TEST(Path, ThroughThePoleTheBranchChangesAndCStandsStill) {
