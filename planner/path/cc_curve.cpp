@@ -1,5 +1,7 @@
 #include "planner/path/cc_curve.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -148,7 +150,7 @@ struct FinePoint {
 };
 
 FinePoint fine_point(const PathSpline& spline, double s, const CurveOptions& options) {
-  const Eigen::RowVectorXd value = spline.value(s);
+  const PathSpline::Row value = spline.value(s);
   FinePoint p;
   p.contact.point_P_mm = value.head<3>().transpose();
   p.contact.normal_P = value.segment<3>(normal_column).transpose().normalized();
@@ -215,9 +217,11 @@ std::vector<CcPoint> smooth_curve(std::span<const RawPoint> raw, const CurveOpti
   const PathSpline spline = fit(kept, options);
   const double length = spline.last();
   const auto spans = static_cast<std::size_t>(std::ceil(length / options.step_max_mm * fine_per_step));
-  std::vector<FinePoint> fine;
-  for (std::size_t i = 0; i <= spans; ++i)
-    fine.push_back(fine_point(spline, length * static_cast<double>(i) / static_cast<double>(spans), options));
+  std::vector<FinePoint> fine(spans + 1);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, fine.size(), 512), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      fine[i] = fine_point(spline, length * static_cast<double>(i) / static_cast<double>(spans), options);
+  });
   fine.front().contact.point_P_mm = raw.front().point_mm;
   fine.back().contact.point_P_mm = raw.back().point_mm;
   return step_forward(fine, options);

@@ -38,11 +38,13 @@ std::array<double, Degree + 1> basis(const std::vector<double>& knots, std::size
 
 /// A symmetric positive definite band matrix, lower half by diagonals, and its solution in place (L D L^T).
 struct BandSystem {
-  Eigen::MatrixXd lower;  ///< lower(i, d) = A(i, i - d)
-  Eigen::MatrixXd right;
+  using Rows =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, Eigen::Dynamic, PathSpline::columns_max>;
+  Eigen::Matrix<double, Eigen::Dynamic, band, Eigen::RowMajor> lower;  ///< lower(i, d) = A(i, i - d)
+  Rows right;
 
   BandSystem(Eigen::Index rows, Eigen::Index columns)
-      : lower(Eigen::MatrixXd::Zero(rows, band)), right(Eigen::MatrixXd::Zero(rows, columns)) {}
+      : lower(Eigen::MatrixXd::Zero(rows, band)), right(Rows::Zero(rows, columns)) {}
 
   template <std::size_t N>
   void add_square(std::size_t first, const std::array<double, N>& row, double weight) {
@@ -51,7 +53,7 @@ struct BandSystem {
         lower(static_cast<Eigen::Index>(first + i), static_cast<Eigen::Index>(i - j)) += weight * row[i] * row[j];
   }
 
-  Eigen::MatrixXd solve() {
+  Rows solve() {
     const Eigen::Index n = lower.rows();
     for (Eigen::Index i = 0; i < n; ++i)
       for (Eigen::Index d = std::min(i, band - 1); d >= 0; --d) {
@@ -75,6 +77,7 @@ struct BandSystem {
 PathSpline::PathSpline(std::span<const double> parameter, const Eigen::MatrixXd& values, std::span<const double> weight,
                        std::vector<double> knots, double fairness) {
   VOLUTE_CHECK(parameter.size() >= 2 && values.rows() == static_cast<Eigen::Index>(parameter.size()), parameter.size());
+  VOLUTE_CHECK(values.cols() <= columns_max, values.cols());
   VOLUTE_CHECK(knots.size() >= 2 && weight.size() == parameter.size(), knots.size(), weight.size());
   knots_.assign(3, knots.front());
   knots_.insert(knots_.end(), knots.begin(), knots.end());
@@ -98,22 +101,21 @@ PathSpline::PathSpline(std::span<const double> parameter, const Eigen::MatrixXd&
   control_ = system.solve();
 }
 
-Eigen::RowVectorXd PathSpline::value(double parameter) const {
+PathSpline::Row PathSpline::value(double parameter) const {
   const std::size_t s = span_of(knots_, parameter);
   const auto n = basis<3>(knots_, s, parameter);
-  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(control_.cols());
+  Row sum = Row::Zero(control_.cols());
   for (std::size_t k = 0; k < 4; ++k) sum += n[k] * control_.row(static_cast<Eigen::Index>(s - 3 + k));
   return sum;
 }
 
-Eigen::RowVectorXd PathSpline::derivative(double parameter) const {
+PathSpline::Row PathSpline::derivative(double parameter) const {
   const std::size_t s = span_of(knots_, parameter);
   const auto n = basis<2>(knots_, s, parameter);  // the derivative is the quadratic B-spline of the differences
-  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(control_.cols());
+  Row sum = Row::Zero(control_.cols());
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = s - 3 + k;
-    const Eigen::RowVectorXd step =
-        control_.row(static_cast<Eigen::Index>(i + 1)) - control_.row(static_cast<Eigen::Index>(i));
+    const Row step = control_.row(static_cast<Eigen::Index>(i + 1)) - control_.row(static_cast<Eigen::Index>(i));
     sum += n[k] * 3.0 / (knots_[i + 4] - knots_[i + 1]) * step;
   }
   return sum;

@@ -30,13 +30,13 @@ class PointGrid {
       count_[static_cast<std::size_t>(d)] = cell_of(high[d]) - cell_of(low[d]) + 1;
     }
     start_.assign(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]) + 1, 0);
-    for (const auto& p : points) ++start_[number(p) + 1];
-    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+    std::vector<std::size_t> cell(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) ++start_[cell[i] = number(points[i])];
+    for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
+    // From the ends of the cells down to their beginnings, so that each keeps the points' order.
     order_.resize(points.size());
-    std::vector<geometry::Index> next(start_.begin(), start_.end() - 1);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      order_[static_cast<std::size_t>(next[number(points[i])]++)] = static_cast<geometry::Index>(i);
-    }
+    for (std::size_t i = points.size(); i-- > 0;)
+      order_[static_cast<std::size_t>(--start_[cell[i]])] = static_cast<geometry::Index>(i);
   }
 
   /// Calls visit(index) for every point of the cells within `reach_mm` of `place`: all points so near, and some farther

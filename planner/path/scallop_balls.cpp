@@ -1,5 +1,7 @@
 #include "planner/path/scallop_balls.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,21 +15,35 @@ namespace {
 
 constexpr double first_reach = 0.6;  ///< of an interval
 
+/// Of point i of a piece and of the way to the next one.
+int balls_from(const CcPiece& piece, std::size_t i, double spacing_mm) {
+  if (i + 1 == piece.points.size()) return 1;
+  const double span_mm = (piece.points[i + 1].point_P_mm - piece.points[i].point_P_mm).norm();
+  return std::max(1, static_cast<int>(std::ceil(span_mm / spacing_mm)));
+}
+
+void put_balls(const CcPiece& piece, std::size_t i, double radius_mm, std::span<Vec3> centres) {
+  const CcPoint& a = piece.points[i];
+  centres.front() = a.point_P_mm + radius_mm * a.normal_P;
+  for (std::size_t s = 1; s < centres.size(); ++s) {
+    const CcPoint& b = piece.points[i + 1];
+    const double share = static_cast<double>(s) / static_cast<double>(centres.size());
+    const Vec3 normal = ((1.0 - share) * a.normal_P + share * b.normal_P).normalized();
+    centres[s] = (1.0 - share) * a.point_P_mm + share * b.point_P_mm + radius_mm * normal;
+  }
+}
+
 std::vector<Vec3> ball_centres(const CcPath& path, double radius_mm, double spacing_mm) {
   std::vector<Vec3> centres;
   for (const CcPiece& piece : path.pieces) {
-    for (std::size_t i = 0; i < piece.points.size(); ++i) {
-      const CcPoint& a = piece.points[i];
-      centres.push_back(a.point_P_mm + radius_mm * a.normal_P);
-      if (i + 1 == piece.points.size()) continue;
-      const CcPoint& b = piece.points[i + 1];
-      const int steps = static_cast<int>(std::ceil((b.point_P_mm - a.point_P_mm).norm() / spacing_mm));
-      for (int s = 1; s < steps; ++s) {
-        const double share = static_cast<double>(s) / steps;
-        const Vec3 normal = ((1.0 - share) * a.normal_P + share * b.normal_P).normalized();
-        centres.push_back((1.0 - share) * a.point_P_mm + share * b.point_P_mm + radius_mm * normal);
-      }
-    }
+    std::vector<std::size_t> first{centres.size()};
+    for (std::size_t i = 0; i < piece.points.size(); ++i)
+      first.push_back(first.back() + static_cast<std::size_t>(balls_from(piece, i, spacing_mm)));
+    centres.resize(first.back());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, piece.points.size(), 512), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+        put_balls(piece, i, radius_mm, std::span(centres).subspan(first[i], first[i + 1] - first[i]));
+    });
   }
   return centres;
 }
@@ -97,20 +113,28 @@ void ScallopBalls::search(double matters_mm, ScallopEntry& entry, LookedAt& look
 void ScallopBalls::find_runs() {
   constexpr std::size_t longest = 8;
   const auto& order = cells_.order();
-  run_of_.reserve(order.size());
+  run_of_.resize(order.size());
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     for (end = begin + 1; end < order.size() && end - begin < longest && order[end] == order[end - 1] + 1;) ++end;
-    Run run{in_cells_[begin], in_cells_[end - 1] - in_cells_[begin], 0.0, 0.0};
-    const double length_sq = run.chord_mm.squaredNorm();
-    if (length_sq > 0.0) run.per_length_sq = 1.0 / length_sq;
-    for (std::size_t i = begin; i < end; ++i)
-      run.off_mm = std::max(run.off_mm, std::sqrt(chord_distance_sq(run, in_cells_[i])));
-    run.off_mm += 1e-9 * radius_mm_;  // rounding
-    run_of_.insert(run_of_.end(), end - begin, static_cast<Index>(runs_.size()));
-    runs_.push_back(run);
+    std::fill(run_of_.begin() + static_cast<std::ptrdiff_t>(begin), run_of_.begin() + static_cast<std::ptrdiff_t>(end),
+              static_cast<Index>(run_begin_.size()));
     run_begin_.push_back(begin);
   }
+  runs_.resize(run_begin_.size());
   run_begin_.push_back(order.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, runs_.size(), 512), [&](const auto& range) {
+    for (std::size_t r = range.begin(); r < range.end(); ++r)
+      runs_[r] = run_of(std::span(in_cells_).subspan(run_begin_[r], run_begin_[r + 1] - run_begin_[r]));
+  });
+}
+
+ScallopBalls::Run ScallopBalls::run_of(std::span<const Vec3> balls) const {
+  Run run{balls.front(), balls.back() - balls.front(), 0.0, 0.0};
+  const double length_sq = run.chord_mm.squaredNorm();
+  if (length_sq > 0.0) run.per_length_sq = 1.0 / length_sq;
+  for (const Vec3& ball : balls) run.off_mm = std::max(run.off_mm, std::sqrt(chord_distance_sq(run, ball)));
+  run.off_mm += 1e-9 * radius_mm_;  // rounding
+  return run;
 }
 
 double ScallopBalls::chord_distance_sq(const Run& run, const Vec3& place_mm) {

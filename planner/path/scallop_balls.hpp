@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <span>
 #include <vector>
 
 #include "planner/path/cc_path.hpp"
@@ -58,6 +59,7 @@ class ScallopBalls {
   };
   static double chord_distance_sq(const Run& run, const Vec3& place_mm);
   void find_runs();
+  [[nodiscard]] Run run_of(std::span<const Vec3> balls) const;
   [[nodiscard]] bool misses(const Run& run, const ScallopEntry& entry) const;
   bool lower(const Vec3& centre_mm, Index ball, ScallopEntry& entry) const;
   void within(double reach_mm, ScallopEntry& entry, LookedAt& looked_at) const;
@@ -67,7 +69,7 @@ class ScallopBalls {
   PointGrid cells_;
   std::vector<Run> runs_;
   std::vector<std::size_t> run_begin_;  ///< its first ball in the cells, and the end
-  std::vector<Index> run_of_;           ///< of each ball in the cells
+  std::vector<Index> run_of_;           ///< its number, of each ball in the cells
 };
 
 }  // namespace volute::planner

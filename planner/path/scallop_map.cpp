@@ -90,25 +90,39 @@ std::vector<Vec3> boundary_places(const BoundaryParts& parts, int per_edge) {
   return out;
 }
 
+/// Takes the samples in order of height until they are 1e-4 of the area; false where they are fewer.
+bool highest_share(const std::vector<double>& ratio, const std::vector<double>& area, std::vector<std::size_t> heap,
+                   double share, double& p9999_ratio) {
+  const std::size_t per_triangle = ratio.size() / area.size();
+  const auto lower = [&](std::size_t a, std::size_t b) { return ratio[a] != ratio[b] ? ratio[a] < ratio[b] : a < b; };
+  std::make_heap(heap.begin(), heap.end(), lower);
+  double passed = 0.0;
+  while (passed < share && !heap.empty()) {
+    p9999_ratio = ratio[heap.front()];
+    passed += area[heap.front() / per_triangle];
+    std::pop_heap(heap.begin(), heap.end(), lower);
+    heap.pop_back();
+  }
+  return passed >= share;
+}
+
 /// Share of the area above, and the ratio that all but 1e-4 of the area stays below: only the greatest samples are put
 /// in order.
 ScallopStatistics statistics_of(const std::vector<double>& ratio, const std::vector<double>& area) {
+  constexpr double usually_below = 0.9;
   const std::size_t per_triangle = ratio.size() / area.size();
   const double total = std::accumulate(area.begin(), area.end(), 0.0) * static_cast<double>(per_triangle);
   ScallopStatistics out;
   double above = 0.0;
-  std::vector<std::size_t> heap(ratio.size());
-  std::iota(heap.begin(), heap.end(), std::size_t{0});
-  for (std::size_t s : heap) {
+  std::vector<std::size_t> high;
+  for (std::size_t s = 0; s < ratio.size(); ++s) {
     if (ratio[s] > 1.0) above += area[s / per_triangle];
+    if (ratio[s] > usually_below) high.push_back(s);
   }
-  const auto lower = [&](std::size_t a, std::size_t b) { return ratio[a] != ratio[b] ? ratio[a] < ratio[b] : a < b; };
-  std::make_heap(heap.begin(), heap.end(), lower);
-  for (double passed = 0.0; passed < 1e-4 * total && !heap.empty();) {
-    out.p9999_ratio = ratio[heap.front()];
-    passed += area[heap.front() / per_triangle];
-    std::pop_heap(heap.begin(), heap.end(), lower);
-    heap.pop_back();
+  if (!highest_share(ratio, area, std::move(high), 1e-4 * total, out.p9999_ratio)) {
+    std::vector<std::size_t> all(ratio.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    highest_share(ratio, area, std::move(all), 1e-4 * total, out.p9999_ratio);
   }
   out.area_above_percent = 100.0 * above / total;
   return out;
