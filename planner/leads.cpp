@@ -19,7 +19,7 @@ namespace {
 constexpr int arc_points = 12;
 constexpr double check_step_mm = 0.5;
 constexpr double axis_retract_min_mm = 2.0;
-/// A tenth of the cutter's diameter: what CAM systems propose for finishing leads.
+/// A tenth of the cutter's diameter: long enough to touch the surface in a tangent, short beside the rapid.
 constexpr double link_lead_share = 0.2;
 
 ToolPathPoint with_offset(const ToolPathPoint& at, const Vec3& offset, MoveKind move, double feed_mm_s) {
