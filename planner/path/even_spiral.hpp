@@ -6,7 +6,8 @@
 namespace volute::planner {
 
 /// Conditions the mesh, chooses a centre, optimises the field (even_field.hpp), traces the path and corrects it by the
-/// dense scallop map. Requires: a machinable surface; 0 < scallop < radius. The path runs inward, counter-clockwise
+/// dense scallop map. A path over 1.5 times that of a plane as large is looked for again with sharper bends; a note
+/// says what they save. Requires: a machinable surface; 0 < scallop < radius. The path runs inward, counter-clockwise
 /// seen from outside. Errors (bad_input): path-even-broken where no field holds one piece (use method "periodic");
 /// path-centre-loop; surface-*. Deterministic: the same bytes on any number of threads. Properties: 1. One piece. 2.
 /// Scallop measured densely as the report says. 3. length_mm >= lower_bound_mm. Departs from [Sun2016]: no bridges and
