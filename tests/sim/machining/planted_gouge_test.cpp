@@ -133,31 +133,34 @@ TEST(PlantedGouge, OfASharpTiltedEndIsFoundAnywhereAndNoneWithoutIt) {
   }
 }
 
-/// The deepest that a standing cutter reaches below a triangle, by points that close in: shares nothing with the
-/// search.
+/// How deep a standing cutter reaches below a triangle at least, by points that close in: shares nothing with the
+/// search. Never more than the true depth; up to a few per cent less, where a narrow ridge runs between the points.
 double deepest_by_points(const CutterProfile& profile, const StandingCutter& stand, const geometry::TriangleMesh& mesh,
                          const geometry::Triangle& triangle, const Vec3& about) {
   const auto v = [&](std::size_t k) { return mesh.vertices_mm[static_cast<std::size_t>(triangle[k])]; };
   const Vec3 normal = (v(1) - v(0)).cross(v(2) - v(0)).normalized();
   if ((v(0) - about).norm() > 1.0) return 0.0;
+  // The depth is a ridge many times longer than wide: the best point may lie far along it from the best of a grid, so
+  // that the grid closes in by halves only.
+  constexpr int levels = 18, first_steps = 60, steps = 24;
   double deepest = 0.0, u0 = 0.0, w0 = 0.0, size = 1.0;
-  for (int level = 0; level < 5; ++level, size *= 0.1) {
-    double best_u = u0, best_w = w0;
-    for (int i = 0; i <= 60; ++i) {
-      for (int j = 0; j <= 60; ++j) {
-        const double u = u0 + size * (level == 0 ? i / 60.0 : i / 30.0 - 1),
-                     w = w0 + size * (level == 0 ? j / 60.0 : j / 30.0 - 1);
+  for (int level = 0; level < levels; ++level, size *= 0.5) {
+    const double around_u = u0, around_w = w0;
+    const int count = level == 0 ? first_steps : steps;
+    for (int i = 0; i <= count; ++i) {
+      for (int j = 0; j <= count; ++j) {
+        const double a = static_cast<double>(i) / count, b = static_cast<double>(j) / count;
+        const double u = level == 0 ? a : around_u + size * (2.0 * a - 1.0),
+                     w = level == 0 ? b : around_w + size * (2.0 * b - 1.0);
         if (u < 0 || w < 0 || u + w > 1) continue;
         const auto t = line_entry_mm(profile, stand, v(0) + u * (v(1) - v(0)) + w * (v(2) - v(0)), normal, 0.0);
         if (!t || -*t <= deepest) continue;
         deepest = -*t;
-        best_u = u;
-        best_w = w;
+        u0 = u;
+        w0 = w;
       }
     }
     if (deepest == 0.0) return 0.0;
-    u0 = best_u;
-    w0 = best_w;
   }
   return deepest;
 }
@@ -165,7 +168,8 @@ double deepest_by_points(const CutterProfile& profile, const StandingCutter& sta
 enum class Plant { anywhere, on_an_edge, at_a_vertex };
 
 /// A flat end planted 0.02 mm deep into a dome of facets 0.5 mm wide whose normals differ by 0.7 degrees: the share of
-/// the depth that the measure misses (brute force over all facets is the depth).
+/// the depth that the measure misses. Brute force over all facets is a depth that is there; and as the facets are
+/// chords of the dome, none is deeper below them than the rim below the dome.
 double share_missed(std::mt19937_64& random, Plant where) {
   std::uniform_real_distribution<> uniform(0.0, 1.0);
   const double R = 40.0, radius = 4.0, tilt = 0.1 + 0.4 * uniform(random), around = 6.28 * uniform(random);
@@ -184,7 +188,8 @@ double share_missed(std::mt19937_64& random, Plant where) {
   const Vec3 way = Eigen::AngleAxisd(around, normal) * normal.unitOrthogonal();
   const Vec3 axis = std::cos(tilt) * normal + std::sin(tilt) * way;
   const Vec3 rim = (way - axis.dot(way) * axis).normalized();
-  const Vec3 tip = spot - 0.02 * normal - radius * rim;
+  constexpr double planted_mm = 0.02;
+  const Vec3 tip = spot - planted_mm * normal - radius * rim;
   std::vector<SweptPose> poses{{{Vec3(tip + 40.0 * axis), axis}, 1, 0.0, false}};
   plant(poses, tip, axis, 5);
   const auto cutter = test::flat(radius);
@@ -193,7 +198,7 @@ double share_missed(std::mt19937_64& random, Plant where) {
   for (const auto& t : surface.triangles)
     expected = std::max(expected, deepest_by_points(CutterProfile(cutter), {tip, axis}, surface, t, spot));
   EXPECT_GT(expected, 0.01);
-  EXPECT_LT(report.gouge_max_mm, 1.001 * expected + 1e-6);
+  EXPECT_LT(report.gouge_max_mm, 1.001 * planted_mm);
   EXPECT_GT(report.gouge_max_mm, 0.999 * expected);
   return (expected - report.gouge_max_mm) / expected;
 }
