@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t grain = 2048;
 
 template <class Body>
-void for_each_index(std::size_t count, Body body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+void for_each_index(std::size_t count, Body body, std::size_t least = grain) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, least),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
                     });
@@ -35,26 +35,6 @@ Vec2 across(const Vec2& v) { return {-v.y(), v.x()}; }
 Vec2 unit_or(const Vec2& v, const Vec2& otherwise) {
   const double norm = v.norm();
   return norm > 1e-12 ? Vec2(v / norm) : otherwise;
-}
-
-/// The minimiser over q of |q| + mu |q|^2 / (2 g) + weight |q - z|^2 / 2 with q . d >= g.
-/// Free: the length of z shrinks. On the constraint q = g d + b e, b solves b / sqrt(g^2 + b^2) + (mu / g)(b) + weight
-/// (b - z . e) = 0 by Newton; the left side grows with b and is convex on each side of 0, four steps reach 1e-6 and
-/// more is not needed.
-Vec2 nearest_allowed(const Vec2& z, const Vec2& d, double needed, double mu, double weight) {
-  const double total = mu / needed + weight;
-  const Vec2 pulled = z * (weight / total);
-  const double length = std::max(pulled.norm(), 1e-12);
-  const Vec2 free = pulled * std::max(1.0 - 1.0 / (total * length), 0.0);
-  if (free.dot(d) >= needed) return free;
-  const Vec2 e = across(d);
-  const double aim = pulled.dot(e);
-  double b = aim;
-  for (int step = 0; step < 4; ++step) {
-    const double norm = std::sqrt(needed * needed + b * b);
-    b -= (b / norm + total * (b - aim)) / (needed * needed / (norm * norm * norm) + total);
-  }
-  return needed * d + b * e;
 }
 
 /// v stretched level by level: its slope at a level is what `share` of the level's length needs.
@@ -116,13 +96,23 @@ void EvenFieldSolver::number_unknowns(const std::optional<std::vector<double>>& 
     unknown_[at(c.vertex)] = centre_unknown_;
     held_[at(c.vertex)] = -c.turns_before;
   }
-  for (int& u : unknown_) u = u == inner ? unknown_count_++ : u;
+  for (std::size_t v = 0; v < unknown_.size(); ++v) {
+    if (unknown_[v] == inner) {
+      unknown_[v] = unknown_count_++;
+      free_.push_back(v);
+    }
+  }
   for (std::size_t i = 0; i < domain.floating.size(); ++i) {
     const int tied = float_levels ? -1 : unknown_count_++;
     for (Index v : domain.floating[i].vertices) {
       unknown_[at(v)] = tied;
       held_[at(v)] = domain.theta.vertex[at(v)] + (float_levels ? (*float_levels)[i] : 0.0);
     }
+  }
+  std::vector<char> is_free(unknown_.size(), 0);
+  for (const std::size_t v : free_) is_free[v] = 1;
+  for (std::size_t v = 0; v < unknown_.size(); ++v) {
+    if (unknown_[v] >= 0 && is_free[v] == 0) tied_.push_back(v);
   }
 }
 
@@ -139,16 +129,35 @@ SparseMatrix EvenFieldSolver::reduction() const {
 void EvenFieldSolver::weigh() {
   const EvenDomain& domain = *domain_;
   const std::size_t triangles = domain.mesh.triangles.size();
-  hat_per_mm_.reserve(triangles);
   for (std::size_t t = 0; t < triangles; ++t) {
     const double usual_mm = rule_.interval_mm(0.5 * domain.curvature[t].trace());
     weight_.push_back(options_.step * usual_mm);
-    hat_per_mm_.push_back(domain.operators[t].hat_per_mm);
     const auto corner = [&](int k) { return domain.theta.at_corner(domain.mesh, static_cast<Index>(t), k); };
     theta_slope_.push_back(domain.operators[t].gradient(corner(0), corner(1), corner(2)));
   }
   harmonic_direction_ = gradient(domain.mesh, domain.operators, domain.harmonic);
   for (Vec2& d : harmonic_direction_) d = unit_or(d, Vec2(1.0, 0.0));
+  pack();
+}
+
+void EvenFieldSolver::pack() {
+  const EvenDomain& domain = *domain_;
+  constexpr std::size_t lanes = project_lanes;
+  packs_.resize((weight_.size() + lanes - 1) / lanes);
+  for (std::size_t i = 0; i < lanes * packs_.size(); ++i) {
+    const std::size_t t = std::min(i, weight_.size() - 1);  // the last triangle fills the last pack
+    const auto lane = static_cast<Eigen::Index>(i % lanes);
+    Pack& pack = packs_[i / lanes];
+    for (std::size_t k = 0; k < 3; ++k) {
+      pack.corner[k][i % lanes] = domain.mesh.triangles[t][k];
+      pack.hat_per_mm[k].x[lane] = domain.operators[t].hat_per_mm[k].x();
+      pack.hat_per_mm[k].y[lane] = domain.operators[t].hat_per_mm[k].y();
+    }
+    pack.theta_slope.x[lane] = theta_slope_[t].x();
+    pack.theta_slope.y[lane] = theta_slope_[t].y();
+    pack.weight[lane] = weight_[t];
+    pack.pull[lane] = weight_[t] * domain.operators[t].area_mm2;
+  }
 }
 
 Result<void> EvenFieldSolver::assemble(std::span<const double> bend_gain) {
@@ -221,25 +230,19 @@ EvenField EvenFieldSolver::start() const {
   return field;
 }
 
-std::vector<double> EvenFieldSolver::values(const Eigen::VectorXd& unknowns) const {
-  std::vector<double> phi(held_);
-  for (std::size_t v = 0; v < phi.size(); ++v) {
-    if (unknown_[v] >= 0) phi[v] += unknowns[unknown_[v]];
-  }
-  return phi;
+void EvenFieldSolver::put_values(const Eigen::VectorXd& unknowns, std::vector<double>& phi) const {
+  for (std::size_t v = 0; v < phi.size(); ++v) phi[v] = unknown_[v] >= 0 ? held_[v] + unknowns[unknown_[v]] : held_[v];
 }
 
 Eigen::VectorXd EvenFieldSolver::load(std::span<const double> corner_load) const {
-  std::vector<double> at_vertex(unknown_.size());
-  for_each_index(at_vertex.size(), [&](std::size_t v) {
+  const auto at_vertex = [&](std::size_t v) {
     double sum = 0.0;
     for (Index corner : corners_.of(static_cast<Index>(v))) sum += corner_load[at(corner)];
-    at_vertex[v] = sum;
-  });
+    return sum;
+  };
   Eigen::VectorXd out = constant_load_;
-  for (std::size_t v = 0; v < unknown_.size(); ++v) {
-    if (unknown_[v] >= 0) out[unknown_[v]] += at_vertex[v];
-  }
+  for_each_index(free_.size(), [&](std::size_t i) { out[unknown_[free_[i]]] += at_vertex(free_[i]); });
+  for (const std::size_t v : tied_) out[unknown_[v]] += at_vertex(v);
   return out;
 }
 
@@ -308,23 +311,48 @@ std::vector<Vec2> EvenFieldSolver::slopes(const EvenField& field) const {
   return out;
 }
 
-Eigen::VectorXd EvenFieldSolver::step(EvenField& field, std::span<const double> needed,
-                                      std::vector<double>& corner_load) const {
-  const EvenDomain& domain = *domain_;
-  for_each_index(domain.mesh.triangles.size(), [&](std::size_t t) {
-    const auto& c = domain.mesh.triangles[t];
-    const auto& hat = hat_per_mm_[t];
-    const Vec2 slope = field.phi[at(c[0])] * hat[0] + field.phi[at(c[1])] * hat[1] + field.phi[at(c[2])] * hat[2];
-    const Vec2 now = slope - theta_slope_[t];
-    const Vec2 nearest =
-        nearest_allowed(now + field.dual[t], field.direction[t], needed[t], options_.excess, weight_[t]);
-    const Vec2 q = options_.relaxation * nearest + (1.0 - options_.relaxation) * now;
-    // The dual of the last step, its q taken off; the slope that the coming solve gives is added in the next step.
-    const Vec2 flux = (q - field.dual[t]) * (weight_[t] * domain.operators[t].area_mm2);
-    field.dual[t] -= q;
-    for (std::size_t k = 0; k < 3; ++k) corner_load[3 * t + k] = flux.dot(hat[k]);
-  });
-  return solver_->solve(load(corner_load));
+LaneVectors EvenFieldSolver::slopes(const Pack& pack, const std::vector<double>& phi) {
+  std::array<Lanes, 3> value;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t lane = 0; lane < project_lanes; ++lane)
+      value[k][static_cast<Eigen::Index>(lane)] = phi[at(pack.corner[k][lane])];
+  }
+  const auto& hat = pack.hat_per_mm;
+  return {value[0] * hat[0].x + value[1] * hat[1].x + value[2] * hat[2].x - pack.theta_slope.x,
+          value[0] * hat[0].y + value[1] * hat[1].y + value[2] * hat[2].y - pack.theta_slope.y};
+}
+
+/// The triangles of pack p. In the first step after an update of the directions the dual is whole, later the slope of
+/// the solve before is to be added.
+[[gnu::flatten]] void EvenFieldSolver::step_pack(std::size_t p, EvenField& field, std::span<const double> needed,
+                                                 bool dual_whole, std::vector<double>& corner_load) const {
+  const Pack& pack = packs_[p];
+  const std::size_t first = p * project_lanes;
+  const auto count = static_cast<Eigen::Index>(std::min<std::size_t>(project_lanes, needed.size() - first));
+  LaneVectors dual;
+  Allowed allowed{{}, {}, options_.excess, pack.weight};
+  for (Eigen::Index lane = 0; lane < project_lanes; ++lane) {
+    const std::size_t t = first + static_cast<std::size_t>(std::min(lane, count - 1));
+    dual.x[lane] = field.dual[t].x();
+    dual.y[lane] = field.dual[t].y();
+    allowed.d.x[lane] = field.direction[t].x();
+    allowed.d.y[lane] = field.direction[t].y();
+    allowed.needed[lane] = needed[t];
+  }
+  const LaneVectors now = slopes(pack, field.phi);
+  if (!dual_whole) dual = {dual.x + now.x, dual.y + now.y};
+  const LaneVectors nearest = nearest_allowed({now.x + dual.x, now.y + dual.y}, allowed);
+  const double taken = options_.relaxation, left = 1.0 - options_.relaxation;
+  const LaneVectors q{taken * nearest.x + left * now.x, taken * nearest.y + left * now.y};
+  const LaneVectors flux{(q.x - dual.x) * pack.pull, (q.y - dual.y) * pack.pull};
+  dual = {dual.x - q.x, dual.y - q.y};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Lanes load = flux.x * pack.hat_per_mm[k].x + flux.y * pack.hat_per_mm[k].y;
+    for (Eigen::Index lane = 0; lane < count; ++lane)
+      corner_load[3 * (first + static_cast<std::size_t>(lane)) + k] = load[lane];
+  }
+  for (Eigen::Index lane = 0; lane < count; ++lane)
+    field.dual[first + static_cast<std::size_t>(lane)] = Vec2(dual.x[lane], dual.y[lane]);
 }
 
 void EvenFieldSolver::improve(EvenField& field, std::span<const double> gain, int outer, int inner) const {
@@ -339,16 +367,15 @@ void EvenFieldSolver::improve(EvenField& field, std::span<const double> gain, in
     std::vector<double> needed = needed_gradient(field.direction, gain);
     for (std::size_t t = 0; t < field.agreement.size(); ++t) needed[t] *= field.agreement[t];
     for (int i = 0; i < inner; ++i) {
-      unknowns = step(field, needed, corner_load);
-      field.phi = values(unknowns);
-      for_each_index(triangles, [&](std::size_t t) {
-        const auto& c = domain.mesh.triangles[t];
-        const auto& hat = hat_per_mm_[t];
-        field.dual[t] += field.phi[at(c[0])] * hat[0] + field.phi[at(c[1])] * hat[1] + field.phi[at(c[2])] * hat[2] -
-                         theta_slope_[t];
-      });
+      for_each_index(
+          packs_.size(), [&](std::size_t p) { step_pack(p, field, needed, i == 0, corner_load); },
+          grain / project_lanes);
+      unknowns = solver_->solve(load(corner_load));
+      put_values(unknowns, field.phi);
     }
-    turn_directions(field, slopes(field));
+    const std::vector<Vec2> now = slopes(field);
+    for (std::size_t t = 0; t < triangles; ++t) field.dual[t] += now[t];
+    turn_directions(field, now);
   }
   field.turns = unknowns[centre_unknown_];
   field.float_levels.clear();

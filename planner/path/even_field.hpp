@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/path/even_domain.hpp"
+#include "planner/path/even_project.hpp"
 #include "planner/path/path_interval.hpp"
 #include "planner/surface/sparse_solver.hpp"
 
@@ -64,10 +65,19 @@ class EvenFieldSolver {
   [[nodiscard]] SparseMatrix reduction() const;
   void weigh();
   Result<void> assemble(std::span<const double> bend_gain);
-  [[nodiscard]] std::vector<double> values(const Eigen::VectorXd& unknowns) const;
+  /// What a step reads of triangles that it takes together.
+  struct Pack {
+    std::array<std::array<Index, project_lanes>, 3> corner;  ///< vertices
+    std::array<LaneVectors, 3> hat_per_mm;                   ///< as in the domain's operators
+    LaneVectors theta_slope;
+    Lanes weight, pull;  ///< as weight_; times the area
+  };
+  void pack();
+  static LaneVectors slopes(const Pack& pack, const std::vector<double>& phi);
+  void put_values(const Eigen::VectorXd& unknowns, std::vector<double>& phi) const;
   [[nodiscard]] Eigen::VectorXd load(std::span<const double> corner_load) const;
-  [[nodiscard]] Eigen::VectorXd step(EvenField& field, std::span<const double> needed,
-                                     std::vector<double>& corner_load) const;
+  void step_pack(std::size_t p, EvenField& field, std::span<const double> needed, bool dual_whole,
+                 std::vector<double>& corner_load) const;
   void turn_directions(EvenField& field, std::span<const Vec2> gradient) const;
   void smooth_directions(EvenField& field) const;
   [[nodiscard]] std::vector<double> needed_gradient(std::span<const Vec2> direction,
@@ -80,8 +90,9 @@ class EvenFieldSolver {
   std::vector<int> unknown_;  ///< per vertex, -1: held
   std::vector<double> held_;  ///< per vertex: added to the unknown (theta on floating holes)
   int unknown_count_ = 0, centre_unknown_ = 0;
-  std::vector<std::array<Vec2, 3>> hat_per_mm_;  ///< as in the domain's operators, packed
-  std::vector<double> weight_;                   ///< per triangle: rho times the interval at the mean curvature
+  std::vector<std::size_t> free_, tied_;  ///< vertices with an unknown of their own; those that share one
+  std::vector<Pack> packs_;
+  std::vector<double> weight_;  ///< per triangle: rho times the interval at the mean curvature
   std::vector<Vec2> harmonic_direction_, theta_slope_;
   Eigen::VectorXd constant_load_;
   std::optional<SparseSolver> solver_;

@@ -13,11 +13,14 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-// More than one BLAS thread could change the order of a sum, and would fight with the planner's own threads.
-void hold_blas_to_one_thread() {
-  using SetThreads = void (*)(int);
-  static const auto set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
-  if (set_threads != nullptr) set_threads(1);
+// More than one BLAS thread could change the order of a sum, and would fight with the planner's own threads. So would
+// OpenMP's, which CHOLMOD asks for: four of them for every small block, and waking them costs more than they save.
+void hold_to_one_thread() {
+  using Set = void (*)(int);
+  static const auto set_blas_threads = reinterpret_cast<Set>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+  static const auto set_parallel_levels = reinterpret_cast<Set>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"));
+  if (set_blas_threads != nullptr) set_blas_threads(1);
+  if (set_parallel_levels != nullptr) set_parallel_levels(0);  // of the calling thread alone
 }
 
 /// CHOLMOD's view of an Eigen matrix: the upper half is read, nothing is copied or written.
@@ -122,7 +125,7 @@ Result<SparseSolver> SparseSolver::factor(const Matrix& matrix) {
 
 Result<void> SparseSolver::refactor(const Matrix& matrix) {
   VOLUTE_CHECK(static_cast<std::size_t>(matrix.rows()) == factor_->rows && matrix.isCompressed(), matrix.rows());
-  hold_blas_to_one_thread();
+  hold_to_one_thread();
   cholmod_sparse view = view_of(matrix);
   cholmod_factorize(&view, factor_->symbolic_and_numbers, &factor_->common);
   return factor_->check("factorising");
