@@ -42,6 +42,13 @@ double corner_tolerance_rad(const kinematics::Control& control, const MotionBloc
   return control.corner_mode == kinematics::CornerMode::parabolic_blend ? no_limit : control.corner_tolerance_rad;
 }
 
+/// How long the block takes at its greatest speed.
+double least_time_of(const BlockPath& path) {
+  double time_s = 0.0;
+  for (const PathPoint& point : path.points) time_s += point.length / point.speed_max;
+  return time_s;
+}
+
 }  // namespace
 
 BlockGeometry::BlockGeometry(const kinematics::Machine& machine, const kinematics::Control& control,
@@ -160,6 +167,9 @@ Result<BlockPath> BlockGeometry::path_of(const MotionBlock& block, BlockInfo& in
   if (!done) return tl::unexpected(done.error());
   set_tolerances(block, path);
   set_speed(block, from_q, from_tip, info, path);
+  if (rapid && !target->by_vector && !path.points.empty())
+    path.rapid =
+        RapidLine{block.tcp && !block.machine_coordinates, from_tip, state_.tip_P_mm, from_q, q_, least_time_of(path)};
   path.stop_after =
       block.path_mode == PathMode::exact_stop || (control_.corner_mode == kinematics::CornerMode::exact_stop && !rapid);
   return path;

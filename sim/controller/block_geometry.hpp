@@ -13,12 +13,21 @@
 
 namespace volute::sim {
 
+/// A straight rapid: of the tip while both rotaries turn evenly (`tcp`), or of all axes.
+struct RapidLine {
+  bool tcp = false;
+  Vec3 from_tip_P_mm, to_tip_P_mm;
+  AxisVector from_q, to_q;
+  double least_time_s = 0.0;  ///< as the rapid feed and the least block time have it
+};
+
 /// What one motion block becomes.
 struct BlockPath {
   bool stop_before = false;  ///< the axes come to rest before this block (G0 against G1, exact stop, dwell)
   std::vector<PathPoint> points;
   double dwell_s = 0.0;
   bool stop_after = false;
+  std::optional<RapidLine> rapid;  ///< of a straight rapid
 };
 
 /// Follows the program's positions and turns each block into points. A block without TCP is straight in the axes (arcs:
@@ -53,6 +62,12 @@ class BlockGeometry {
     return block.tool_length_active ? zero_with_tool_ : zero_without_tool_;
   }
   [[nodiscard]] const AxisSolver& solver() const { return solver_; }
+  /// The axes at a share of the way under TCP. Nothing: the linear axes do not span space.
+  [[nodiscard]] std::optional<AxisVector> axes_on(const RapidLine& line, double share) const {
+    AxisVector q = line.from_q;
+    q.tail<2>() += share * (line.to_q - line.from_q).tail<2>();
+    return solver_.with_tip(line.from_tip_P_mm + share * (line.to_tip_P_mm - line.from_tip_P_mm), q);
+  }
 
  private:
   void turn_by_vector(const MotionBlock& block, Target& target) const;

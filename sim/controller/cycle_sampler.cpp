@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/controller/column_kernels.hpp"
+#include "sim/controller/rest_move.hpp"
 
 namespace volute::sim {
 
@@ -108,7 +109,43 @@ void CycleSampler::drain(Mark mark) {
   wait_s_ = period_s_;
 }
 
+// The positions are the curve's own: the filter is one cycle long meanwhile.
+void CycleSampler::move(const TimedCell& timed) {
+  const RestMove& move = *timed.cell.move;
+  BlockInfo& block = *timed.cell.block;
+  Mark mark{block.line, Limit::stop, -1, block.rapid, block.cutting, false};
+  if (filter_.length() > 1) {
+    rest_at(at_, settling_cycles, mark);
+    statistics_.add_stop(settling_cycles * period_s_);
+  }
+  rest(1);
+  forget_marks(0);
+  limits_ = nullptr;
+  mark.limit = move.limit();
+  mark.axis = static_cast<std::int8_t>(move.limit_axis());
+  const int cycles = cycles_within(move.duration_s());
+  for (int done = 0; done < cycles;) {
+    const int count = std::min(cycles - done, lot - filled_);
+    for (int k = 0; k < count; ++k) {
+      const double time_s = wait_s_ + (done + k) * period_s_;
+      const AxisVector q = move.position(time_s);
+      for (int i = 0; i < kinematics::axis_count; ++i) filter_.inputs(i)[filled_ + k] = q[i];
+      tip_speeds_[static_cast<std::size_t>(filled_ + k)] = move.tip_speed_mm_s(time_s);
+    }
+    take(count, mark);
+    done += count;
+  }
+  at_ = move.position(move.duration_s());
+  mark.limit = Limit::stop;
+  mark.axis = -1;
+  rest_at(at_, settling_cycles, mark);
+  statistics_.add_time(block, move.limit(), move.limit_axis(), move.duration_s());
+  statistics_.add_stop(wait_s_ + (cycles - 1 + settling_cycles) * period_s_ - move.duration_s());
+  wait_s_ = period_s_;
+}
+
 void CycleSampler::hold(const TimedCell& timed) {
+  if (timed.cell.move) return move(timed);
   const BlockInfo& block = *timed.cell.block;
   Mark mark{block.line, Limit::stop, -1, block.rapid, false, false};
   statistics_.add_stop(static_cast<double>(filter_.length()) * period_s_);

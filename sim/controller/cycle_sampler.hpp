@@ -31,6 +31,7 @@ class CycleSampler {
     bool rapid = false, cutting = false, feed = false;
   };
   void hold(const TimedCell& timed);
+  void move(const TimedCell& timed);
   void play(const PathCell& cell, const Phase& phase);
   [[nodiscard]] int cycles_within(double duration_s) const;
   void take(int count, const Mark& mark);

@@ -179,4 +179,10 @@ void CornerRounder::hold(double dwell_s, BlockInfo* block, std::vector<PathCell>
   cells.push_back(cell);
 }
 
+void CornerRounder::move(const RestMove& move, const AxisVector& end, BlockInfo* block, std::vector<PathCell>& cells) {
+  hold(0.0, block, cells);
+  cells.back().move = &move;
+  at_ = end;
+}
+
 }  // namespace volute::sim

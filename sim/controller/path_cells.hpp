@@ -10,6 +10,8 @@
 
 namespace volute::sim {
 
+class RestMove;
+
 /// A stretch of path on which q is quadratic in s: q(s) = start + rate s + curvature s^2 / 2, 0 <= s <= length.
 struct PathCell {
   double length = 0.0;
@@ -24,6 +26,7 @@ struct PathCell {
   double tip_rate = 0.0;  ///< tip length per s
   bool hold = false;      ///< not a motion: the axes come to rest, the filter empties, and `dwell_s` passes
   double dwell_s = 0.0;
+  const RestMove* move = nullptr;  ///< of a hold: before it the axes make this move, instead of the rest
   const MotionLimits* limits = nullptr;
   TipRates tip_rates = TipRates::Zero();
   BlockInfo* block = nullptr;
@@ -44,6 +47,8 @@ class CornerRounder {
   void add(const PathPoint& point, std::vector<PathCell>& cells);
   /// Completes the path so far and lets the axes rest.
   void hold(double dwell_s, BlockInfo* block, std::vector<PathCell>& cells);
+  /// The axes rest, and make a move of their own to `end`, where they rest again.
+  void move(const RestMove& move, const AxisVector& end, BlockInfo* block, std::vector<PathCell>& cells);
   /// Completes the path so far; the axes rest at its end.
   void finish(std::vector<PathCell>& cells);
 
