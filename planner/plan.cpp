@@ -73,13 +73,17 @@ Result<std::vector<OrientedPath>> orient_pieces(const PlanRequest& request, cons
   const Stage stage(request, result, "orientation");
   std::vector<OrientedPath> oriented;
   double points = 0.0;
+  const auto turns = TurnMeans::of(result.cc.path, request.orientation, feed_window_mm);
+  AmongPieces among{turns ? &*turns : nullptr, std::nullopt};
   for (const CcPiece& piece : result.cc.path.pieces) {
     auto one = orient(offset_piece(piece, request.path.allowance_mm), request.tool, request.machine, request.setup,
-                      interference, request.orientation, request.process.feed_mm_s);
+                      interference, request.orientation, request.process.feed_mm_s, among);
     if (!one) return tl::unexpected(one.error());
     points += static_cast<double>(one->tool_path.points.size());
     merge_report(result.orientation, one->report, static_cast<double>(one->tool_path.points.size()) / points);
     result.rotaries_rad.insert(result.rotaries_rad.end(), one->rotaries_rad.begin(), one->rotaries_rad.end());
+    among.rotaries_before_rad = one->rotaries_rad.back();
+    among.point_before_P_mm = piece.points.back().point_P_mm;
     oriented.push_back(std::move(*one));
     stage.say(static_cast<double>(oriented.size()) / static_cast<double>(result.cc.path.pieces.size()));
   }

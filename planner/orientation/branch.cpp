@@ -69,6 +69,11 @@ BranchChoice choose_branches(const RotaryChart& chart, std::span<const PlacedAxi
       return result;
     }
     for (State& state : row) {
+      if (i == 0 && chart.before()) {
+        const State before{chart.before()->at, {true, true}, {true, true}, 0.0, -1};
+        state = after(chart, before, state, chart.before()->way_mm);
+        continue;
+      }
       if (i == 0) {
         // Of equal ways the one nearest to the zero pose starts.
         state.cost = 1e-9 * (state.value[0] * state.value[0] + state.value[1] * state.value[1]);

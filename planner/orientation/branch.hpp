@@ -18,7 +18,9 @@ struct PlacedAxis {
 using OptionalRotaries = std::array<std::optional<double>, 2>;
 
 /// Dynamic programming over both branches and all turns within travel: least sum of (change)^2 / (arc length), the
-/// energy of [Sun2016] eq. 27. An endless rotary takes the turn next to the value before. `pin_free_axis`: at the pole,
+/// energy of [Sun2016] eq. 27. An endless rotary takes the turn next to the value before. Where the chart comes from
+/// another piece, the way from there counts like any other, so that of equal rows the one with the least turn in the
+/// rapid stands. `pin_free_axis`: at the pole,
 /// too, the value is kept. Nothing when an axis cannot be reached; its index is then in `unreachable`.
 struct BranchChoice {
   std::vector<OptionalRotaries> at;

@@ -24,8 +24,6 @@ using geometry::short_text;
 
 namespace {
 
-// Feed directions are chords this far to both sides: longer than a facet, shorter than a pass.
-constexpr double feed_window_mm = 1.0;
 // Paths without turns: the reference axis is averaged over this length.
 constexpr double reference_window_mm = 20.0;
 
@@ -56,6 +54,7 @@ struct Orienting {
   RotaryChart chart;
   std::vector<Station> stations;
   OrientationReport report;
+  const TurnMeans* turns = nullptr;  ///< of the whole path, where the piece is one of several
 
   [[nodiscard]] int points() const { return static_cast<int>(stations.size()); }
 };
@@ -250,7 +249,7 @@ struct PinnedPath {
 
 /// The pins come from a calm row of allowed axes: the reference where nothing is in its way, else the corridor's curve.
 Result<PinnedPath> pinned(const Orienting& work, const AllowedSet& allowed, const OrientationOptions& options) {
-  std::vector<Vec3> axes = reference_axes(allowed, reference_window_mm);
+  std::vector<Vec3> axes = reference_axes(allowed, reference_window_mm, work.turns);
   const std::vector<char> blocked = blocked_marks(allowed, axes);
   PinnedPath path;
   path.fixed = user_pins(work);
@@ -320,7 +319,7 @@ Result<OrientedPath> orient_in_corridor(Orienting& work, const AllowedSet& allow
                      "no curve through the " + std::to_string(held.size()) +
                          " key orientations stays clear of everything; move a key, or leave some out");
   if (!path->corridor && held.empty()) {
-    const std::vector<Vec3> reference = reference_axes(allowed, reference_window_mm);
+    const std::vector<Vec3> reference = reference_axes(allowed, reference_window_mm, work.turns);
     path->corridor = run_corridor(allowed, reference);
     if (path->corridor->at.empty() && !path->loop.free) return no_chain(work, allowed, *path->corridor, reference);
     if (path->corridor->at.empty()) path->corridor.reset();
@@ -336,7 +335,7 @@ Result<OrientedPath> orient_in_corridor(Orienting& work, const AllowedSet& allow
 /// [Huang2016] Fig. 2: the axes follow a field through key axes, with keys added until every point is allowed.
 Result<OrientedPath> orient_by_field(Orienting& work, const AllowedSet& allowed) {
   const auto loop =
-      run_field_loop(allowed, reference_axes(allowed, reference_window_mm), user_pins(work), work.options);
+      run_field_loop(allowed, reference_axes(allowed, reference_window_mm, work.turns), user_pins(work), work.options);
   if (!loop) return tl::unexpected(loop.error());
   work.report.iterations = loop->iterations;
   work.report.solve_s = loop->solve_s;
@@ -355,13 +354,17 @@ Result<OrientedPath> orient_by_field(Orienting& work, const AllowedSet& allowed)
 
 Result<OrientedPath> orient(const CcPiece& piece, const kinematics::Tool& tool, const kinematics::Machine& machine,
                             const kinematics::Setup& setup, const Interference& interference,
-                            const OrientationOptions& options, double feed_mm_s) {
-  Orienting work{piece, tool, options, feed_mm_s, RotaryChart(machine, setup), make_stations(piece, feed_window_mm),
-                 {}};
+                            const OrientationOptions& options, double feed_mm_s, const AmongPieces& among) {
+  Orienting work{
+      piece, tool,       options, feed_mm_s, RotaryChart(machine, setup), make_stations(piece, feed_window_mm),
+      {},    among.turns};
   if (work.points() < 2)
     return bad_input("orientation-path-short",
                      "a piece of the path has fewer than two CC points; lower the scallop or check the surface");
   work.report.smoothing = smoothing_name(options.smoothing);
+  if (among.rotaries_before_rad)
+    work.chart.come_from(
+        {*among.rotaries_before_rad, (work.stations.front().contact_P_mm - among.point_before_P_mm).norm()});
   lift_out_of_part(work.stations, tool.cutter, interference, options.gouge_tolerance_mm);
   note_lifts(work);
   const AllowedSet allowed(work.stations, tool, work.chart, interference, options);

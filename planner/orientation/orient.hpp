@@ -10,6 +10,8 @@
 #include "kinematics/model/tool_path.hpp"
 #include "planner/interference.hpp"
 #include "planner/options.hpp"
+#include "planner/orientation/rotary_chart.hpp"
+#include "planner/orientation/turn_means.hpp"
 #include "planner/path/cc_path.hpp"
 
 namespace volute::planner {
@@ -38,10 +40,21 @@ struct OrientedPath {
   std::vector<int> pins;                            ///< indices of pinned points
 };
 
+/// Feed directions are chords this far to both sides: longer than a facet, shorter than a pass.
+constexpr double feed_window_mm = 1.0;
+
+/// What a piece knows of the others. A path of one piece: nothing.
+struct AmongPieces {
+  const TurnMeans* turns = nullptr;  ///< of the whole path: the calm directions of all pieces then agree
+  /// The rotaries at the end of the piece before, and where it ends: the rapid from there turns as little as may be.
+  std::optional<Rotaries> rotaries_before_rad;
+  Vec3 point_before_P_mm = Vec3::Zero();
+};
+
 /// Orients one piece. Errors (bad_input): orientation-none (names the CC points where no orientation is allowed and
 /// what blocks them), orientation-not-converged.
 Result<OrientedPath> orient(const CcPiece& piece, const kinematics::Tool& tool, const kinematics::Machine& machine,
                             const kinematics::Setup& setup, const Interference& interference,
-                            const OrientationOptions& options, double feed_mm_s);
+                            const OrientationOptions& options, double feed_mm_s, const AmongPieces& among = {});
 
 }  // namespace volute::planner

@@ -90,7 +90,9 @@ std::vector<double> PinLoop::solve_axis(const BranchChoice& choice, std::size_t 
     if (choice.at[place][k]) pins.push_back({index, *choice.at[place][k]});
     ++place;
   }
-  if (pins.empty()) return std::vector<double>(s_.size(), 0.0);
+  // Free everywhere, at the pole: it stays where the piece before left it.
+  const auto& before = allowed_.chart().before();
+  if (pins.empty()) return std::vector<double>(s_.size(), before ? before->at[k] : 0.0);
   const auto start = std::chrono::steady_clock::now();
   std::vector<double> phi = options_.smoothing == Smoothing::velocity ? least_velocity(s_, pins, options_.weights)
                                                                       : least_acceleration(s_, pins, options_.weights);

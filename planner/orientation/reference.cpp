@@ -53,7 +53,7 @@ Vec3 moved_inside(const AllowedSet& allowed, int i, const Vec3& axis, const Vec3
 
 }  // namespace
 
-std::vector<Vec3> reference_axes(const AllowedSet& allowed, double window_mm) {
+std::vector<Vec3> reference_axes(const AllowedSet& allowed, double window_mm, const TurnMeans* turns) {
   const std::span<const Station> stations = allowed.stations();
   const std::size_t n = stations.size();
   std::vector<Vec3> planned(n), sums(n + 1, Vec3::Zero()), axes(n);
@@ -68,7 +68,7 @@ std::vector<Vec3> reference_axes(const AllowedSet& allowed, double window_mm) {
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
     const Vec3 sum = sums[window[i].to] - sums[window[i].from];
     const double length = stations[window[i].to - 1].s_mm - stations[window[i].from].s_mm;
-    const Vec3 mean = sum / std::max(length, 1e-6);
+    const Vec3 mean = turns != nullptr ? turns->mean(stations[i].turn) : Vec3(sum / std::max(length, 1e-6));
     Vec3 axis = mean.norm() > 0.5 ? mean : mean + rest_share * rest;
     axis = axis.norm() > 1e-9 ? axis.normalized() : planned[i];
     axes[i] = moved_inside(allowed, static_cast<int>(i), allowed.within_tilt(static_cast<int>(i), axis), planned[i]);

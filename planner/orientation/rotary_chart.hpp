@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "kinematics/model/machine.hpp"
@@ -30,6 +31,14 @@ class RotaryChart {
   [[nodiscard]] Vec3 rest_axis_P() const { return part_from_machine_ * zero_axis_M_; }
   /// From now on rotary k has no end: its travel is left to rewinds of the axis path.
   void release(int k) { released_[static_cast<std::size_t>(k)] = true; }
+  /// Where the rotaries stand before the first of a row of axes, and how long the way from there is: the rapid from the
+  /// piece before. Nothing: the row is the path's first.
+  struct Before {
+    Rotaries at{};
+    double way_mm = 0.0;
+  };
+  void come_from(const Before& before) { before_ = before; }
+  [[nodiscard]] const std::optional<Before>& before() const { return before_; }
   /// Every branch, each rotary in (-pi, pi], travel not yet looked at. Within `pole_rad` of the pole the free axis is
   /// named.
   [[nodiscard]] std::vector<RotaryChoice> choices(const Vec3& axis_P) const;
@@ -52,6 +61,7 @@ class RotaryChart {
   std::array<std::array<geometry::Mat3, 3>, 2> parts_;  ///< R(t) = parts[0] + cos t parts[1] + sin t parts[2]
   Vec3 zero_axis_M_;
   std::array<bool, 2> released_{};
+  std::optional<Before> before_;
 };
 
 }  // namespace volute::planner
