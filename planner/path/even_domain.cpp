@@ -1,5 +1,7 @@
 #include "planner/path/even_domain.hpp"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +14,7 @@
 #include "planner/surface/cut.hpp"
 #include "planner/surface/slice_path.hpp"
 #include "planner/surface/sparse_solver.hpp"
+#include "planner/surface/tied_matrix.hpp"
 
 namespace volute::planner {
 namespace {
@@ -140,7 +143,7 @@ void assign_loops(const EvenSurface& surface, const Centre& centre, EvenDomain& 
 }
 
 /// Harmonic slit map: 0 on the outer loop, 1 on the centre, an unknown constant on each floating hole.
-Result<std::vector<double>> harmonic_of(const EvenDomain& domain) {
+Result<std::vector<double>> harmonic_of(const EvenDomain& domain, const SparseMatrix& laplacian) {
   std::vector<int> unknown(domain.mesh.vertices_mm.size(), -1);
   int count = 2;  // 0: the outer loop, 1: the centre
   for (Index v : domain.outer.vertices) unknown[at(v)] = 0;
@@ -149,19 +152,14 @@ Result<std::vector<double>> harmonic_of(const EvenDomain& domain) {
     for (Index v : loop.vertices) unknown[at(v)] = count;
     ++count;
   }
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t v = 0; v < unknown.size(); ++v) {
-    if (unknown[v] < 0) unknown[v] = count++;
-    entries.emplace_back(static_cast<int>(v), unknown[v], 1.0);
-  }
-  SparseMatrix tie(static_cast<Eigen::Index>(unknown.size()), count);
-  tie.setFromTriplets(entries.begin(), entries.end());
+  for (int& u : unknown) u = u < 0 ? count++ : u;
   const std::array<int, 2> fixed = {0, 1};
-  const auto solved = solve_with_fixed(SparseMatrix(tie.transpose() * cotan_laplacian(domain.mesh) * tie), fixed,
-                                       Eigen::Vector2d(0.0, 1.0));
+  const auto solved = solve_with_fixed(tied(laplacian, Ties(unknown, count)), fixed, Eigen::Vector2d(0.0, 1.0));
   if (!solved) return tl::unexpected(solved.error());
-  const Eigen::VectorXd v = tie * *solved;
-  return std::vector<double>(v.data(), v.data() + v.size());
+  std::vector<double> out;
+  out.reserve(unknown.size());
+  for (const int u : unknown) out.push_back((*solved)(u, 0));
+  return out;
 }
 
 /// theta with its growth gathered into `ramp_share` of the turn outside, harmonic from the middle of the map inward.
@@ -220,10 +218,13 @@ Result<EvenDomain> even_domain(const EvenSurface& surface, const Centre& centre,
                out.centre.vertices.size());
   auto seam = seam_between(out.mesh, out.topology, out.outer, out.centre);
   if (!seam) return tl::unexpected(seam.error());
-  auto theta = periodic_harmonic(out.mesh, out.topology, *seam);
+  const SparseMatrix laplacian = cotan_laplacian(out.mesh, out.operators);
+  Result<PeriodicCoordinate> theta{};
+  Result<std::vector<double>> harmonic{};
+  tbb::parallel_invoke([&] { theta = periodic_harmonic(out.mesh, out.topology, out.operators, laplacian, *seam); },
+                       [&] { harmonic = harmonic_of(out, laplacian); });
   if (!theta) return tl::unexpected(theta.error());
   out.theta = std::move(*theta);
-  auto harmonic = harmonic_of(out);
   if (!harmonic) return tl::unexpected(harmonic.error());
   out.harmonic = std::move(*harmonic);
   gather_growth(out, ramp_share);

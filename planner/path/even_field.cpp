@@ -8,6 +8,7 @@
 #include "geometry/check.hpp"
 #include "geometry/index.hpp"
 #include "planner/path/even_collar.hpp"
+#include "planner/surface/tied_matrix.hpp"
 
 namespace volute::planner {
 
@@ -116,16 +117,6 @@ void EvenFieldSolver::number_unknowns(const std::optional<std::vector<double>>& 
   }
 }
 
-SparseMatrix EvenFieldSolver::reduction() const {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t v = 0; v < unknown_.size(); ++v) {
-    if (unknown_[v] >= 0) entries.emplace_back(static_cast<int>(v), unknown_[v], 1.0);
-  }
-  SparseMatrix out(static_cast<Eigen::Index>(unknown_.size()), unknown_count_);
-  out.setFromTriplets(entries.begin(), entries.end());
-  return out;
-}
-
 void EvenFieldSolver::weigh() {
   const EvenDomain& domain = *domain_;
   const std::size_t triangles = domain.mesh.triangles.size();
@@ -170,12 +161,11 @@ Result<void> EvenFieldSolver::assemble(std::span<const double> bend_gain) {
     if (!domain.topology.is_boundary_vertex(static_cast<Index>(v)))
       inner[static_cast<Eigen::Index>(v)] = bend * bend_gain[v] / areas[v];
   }
-  const SparseMatrix reduce = reduction();
-  const SparseMatrix laplacian = cotan_laplacian(domain.mesh), weighted = cotan_laplacian(domain.mesh, weight_);
-  const SparseMatrix reduced = laplacian * reduce;
-  SparseMatrix matrix = reduce.transpose() * weighted * reduce;
-  matrix += SparseMatrix(reduced.transpose() * inner.asDiagonal() * reduced);
-  matrix.makeCompressed();
+  const Ties ties(unknown_, unknown_count_);
+  const SparseMatrix laplacian = cotan_laplacian(domain.mesh, domain.operators),
+                     weighted = cotan_laplacian(domain.mesh, domain.operators, weight_);
+  const SparseMatrix reduced = tied_columns(laplacian, ties);
+  const SparseMatrix matrix = plus_square(tied(weighted, ties), reduced, inner);
   // What the held values and theta put on the right side: the unknowns make phi - theta - held.
   const auto as_vector = [](const std::vector<double>& v) {
     return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(v.size())));
@@ -185,7 +175,7 @@ Result<void> EvenFieldSolver::assemble(std::span<const double> bend_gain) {
   const Eigen::VectorXd held = as_vector(held_);
   const Eigen::VectorXd bent = as_vector(divergence(domain.mesh, domain.operators, theta_slope_)) - laplacian * held;
   const Eigen::VectorXd grown = as_vector(divergence(domain.mesh, domain.operators, weighted_slope)) - weighted * held;
-  constant_load_ = reduced.transpose() * Eigen::VectorXd(inner.asDiagonal() * bent) + reduce.transpose() * grown;
+  constant_load_ = reduced.transpose() * Eigen::VectorXd(inner.asDiagonal() * bent) + tied(grown, ties);
   if (solver_) return solver_->refactor(matrix);
   auto solver = SparseSolver::factor(matrix);
   if (!solver) return tl::unexpected(solver.error());

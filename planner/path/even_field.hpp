@@ -62,7 +62,6 @@ class EvenFieldSolver {
  private:
   EvenFieldSolver(const EvenDomain& domain, const IntervalRule& rule, const EvenFieldOptions& options);
   void number_unknowns(const std::optional<std::vector<double>>& float_levels);
-  [[nodiscard]] SparseMatrix reduction() const;
   void weigh();
   Result<void> assemble(std::span<const double> bend_gain);
   /// What a step reads of triangles that it takes together.

@@ -1,6 +1,7 @@
 #include "planner/path/even_spiral.hpp"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
@@ -174,9 +175,12 @@ Result<std::vector<Finalist>> finalists_of(const EvenSurface& coarse, std::span<
 
 Result<Planned> planned_around(const EvenSurface& surface, const EvenSurface& coarse, Finalist& finalist,
                                const IntervalRule& rule, double ramp_share, const EvenLoopOptions& loop) {
-  if (auto settled = settle_first_field(finalist.domain, rule, loop, finalist.field); !settled)
-    return tl::unexpected(settled.error());
-  auto domain = even_domain(surface, moved_centre(coarse, finalist.centre, surface), ramp_share);
+  Result<void> settled;
+  Result<EvenDomain> domain{};
+  tbb::parallel_invoke(
+      [&] { settled = settle_first_field(finalist.domain, rule, loop, finalist.field); },
+      [&] { domain = even_domain(surface, moved_centre(coarse, finalist.centre, surface), ramp_share); });
+  if (!settled) return tl::unexpected(settled.error());
   if (!domain) return tl::unexpected(domain.error());
   auto round = even_rounds(*domain, prolonged(finalist.domain, finalist.field, *domain), rule, loop);
   if (!round) return tl::unexpected(round.error());

@@ -2,6 +2,7 @@
 
 #include "geometry/check.hpp"
 #include "geometry/index.hpp"
+#include "planner/surface/sparse_columns.hpp"
 
 namespace volute::planner {
 namespace {
@@ -51,23 +52,23 @@ std::vector<double> vertex_areas_mm2(const TriangleMesh& mesh) {
 }
 
 SparseMatrix cotan_laplacian(const TriangleMesh& mesh, std::span<const double> triangle_weight) {
+  return cotan_laplacian(mesh, triangle_operators(mesh), triangle_weight);
+}
+
+SparseMatrix cotan_laplacian(const TriangleMesh& mesh, std::span<const TriangleOperator> operators,
+                             std::span<const double> triangle_weight) {
+  VOLUTE_CHECK(operators.size() == mesh.triangles.size(), operators.size());
   VOLUTE_CHECK(triangle_weight.empty() || triangle_weight.size() == mesh.triangles.size(), triangle_weight.size());
-  const auto operators = triangle_operators(mesh);
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(9 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const double scale = operators[t].area_mm2 * (triangle_weight.empty() ? 1.0 : triangle_weight[t]);
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        entries.emplace_back(mesh.triangles[t][i], mesh.triangles[t][j],
-                             scale * operators[t].hat_per_mm[i].dot(operators[t].hat_per_mm[j]));
-      }
-    }
-  }
+  const VertexCorners corners(mesh);
   const auto n = static_cast<Eigen::Index>(mesh.vertices_mm.size());
-  SparseMatrix out(n, n);
-  out.setFromTriplets(entries.begin(), entries.end());
-  return out;
+  return by_columns(n, n, [&](Eigen::Index v, ColumnSum& sum) {
+    for (const Index corner : corners.of(static_cast<Index>(v))) {
+      const std::size_t t = at(corner / 3), k = at(corner % 3);
+      const double scale = operators[t].area_mm2 * (triangle_weight.empty() ? 1.0 : triangle_weight[t]);
+      for (std::size_t i = 0; i < 3; ++i)
+        sum.add(mesh.triangles[t][i], scale * operators[t].hat_per_mm[i].dot(operators[t].hat_per_mm[k]));
+    }
+  });
 }
 
 std::vector<Vec2> gradient(const TriangleMesh& mesh, std::span<const TriangleOperator> operators,

@@ -43,6 +43,9 @@ std::vector<double> vertex_areas_mm2(const geometry::TriangleMesh& mesh);
 /// Properties: 1. K is symmetric. 2. K times a constant is 0. 3. On a plane (K x)_i = 0 at inner vertices for linear x.
 /// 4. With a weight per triangle, u . K u is the integral of weight |grad u|^2.
 SparseMatrix cotan_laplacian(const geometry::TriangleMesh& mesh, std::span<const double> triangle_weight = {});
+/// The same with the mesh's triangle_operators.
+SparseMatrix cotan_laplacian(const geometry::TriangleMesh& mesh, std::span<const TriangleOperator> operators,
+                             std::span<const double> triangle_weight = {});
 
 /// Gradient of each triangle, per mm, in the triangle's frame. Requires one value a vertex.
 std::vector<Vec2> gradient(const geometry::TriangleMesh& mesh, std::span<const TriangleOperator> operators,

@@ -75,10 +75,16 @@ std::vector<std::array<double, 3>> seam_jump(const MeshTopology& topology, std::
 
 Result<PeriodicCoordinate> periodic_harmonic(const TriangleMesh& mesh, const MeshTopology& topology,
                                              std::span<const Index> seam) {
+  const auto operators = triangle_operators(mesh);
+  return periodic_harmonic(mesh, topology, operators, cotan_laplacian(mesh, operators), seam);
+}
+
+Result<PeriodicCoordinate> periodic_harmonic(const TriangleMesh& mesh, const MeshTopology& topology,
+                                             std::span<const TriangleOperator> operators, const SparseMatrix& laplacian,
+                                             std::span<const Index> seam) {
   PeriodicCoordinate out;
   out.jump = seam_jump(topology, seam);
   out.seam.assign(seam.begin(), seam.end());
-  const auto operators = triangle_operators(mesh);
   std::vector<Vec2> jump_gradient(mesh.triangles.size());
   for (std::size_t t = 0; t < jump_gradient.size(); ++t) {
     jump_gradient[t] = operators[t].gradient(out.jump[t][0], out.jump[t][1], out.jump[t][2]);
@@ -86,7 +92,7 @@ Result<PeriodicCoordinate> periodic_harmonic(const TriangleMesh& mesh, const Mes
   const auto load = divergence(mesh, operators, jump_gradient);
   const Eigen::VectorXd right = -Eigen::Map<const Eigen::VectorXd>(load.data(), static_cast<Eigen::Index>(load.size()));
   const std::array<int, 1> fixed = {seam.front()};
-  auto solved = solve_with_fixed(cotan_laplacian(mesh), fixed, Eigen::MatrixXd::Zero(1, 1), right);
+  auto solved = solve_with_fixed(laplacian, fixed, Eigen::MatrixXd::Zero(1, 1), right);
   if (!solved) return tl::unexpected(solved.error());
   out.vertex.assign(solved->data(), solved->data() + solved->size());
   return out;

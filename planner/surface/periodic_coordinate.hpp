@@ -7,6 +7,7 @@
 
 #include "geometry/mesh.hpp"
 #include "geometry/result.hpp"
+#include "planner/surface/operators.hpp"
 
 namespace volute::planner {
 
@@ -40,6 +41,10 @@ std::vector<std::array<double, 3>> seam_jump(const geometry::MeshTopology& topol
 /// where the seam runs inward). Properties: 1. The gradient does not depend on the seam chosen. 2. On a flat ring it is
 /// angle / (2 pi). Errors: as SparseSolver::factor.
 Result<PeriodicCoordinate> periodic_harmonic(const geometry::TriangleMesh& mesh, const geometry::MeshTopology& topology,
+                                             std::span<const Index> seam);
+/// The same with the mesh's triangle_operators and their cotan_laplacian.
+Result<PeriodicCoordinate> periodic_harmonic(const geometry::TriangleMesh& mesh, const geometry::MeshTopology& topology,
+                                             std::span<const TriangleOperator> operators, const SparseMatrix& laplacian,
                                              std::span<const Index> seam);
 
 }  // namespace volute::planner

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/check.hpp"
+#include "planner/surface/sparse_columns.hpp"
 
 namespace volute::planner {
 namespace {
@@ -160,27 +161,21 @@ Result<Eigen::MatrixXd> solve_with_fixed(const Matrix& matrix, std::span<const i
 
   Eigen::MatrixXd load = -(matrix * out);
   if (right_side.size() > 0) load += right_side;
-  Matrix reduced(free_count, free_count);
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(matrix.nonZeros()));
-  Eigen::MatrixXd reduced_load(free_count, values.cols());
-  for (int c = 0; c < n; ++c) {
-    const int column = free_row[static_cast<std::size_t>(c)];
-    if (column < 0) continue;
-    reduced_load.row(column) = load.row(c);
-    for (Matrix::InnerIterator it(matrix, c); it; ++it) {
-      const int row = free_row[static_cast<std::size_t>(it.row())];
-      if (row >= 0) entries.emplace_back(row, column, it.value());
-    }
+  std::vector<int> free_rows;
+  for (int r = 0; r < n; ++r) {
+    if (free_row[static_cast<std::size_t>(r)] >= 0) free_rows.push_back(r);
   }
-  reduced.setFromTriplets(entries.begin(), entries.end());
+  const Matrix reduced = by_columns(free_count, free_count, [&](Eigen::Index column, ColumnSum& sum) {
+    for (Matrix::InnerIterator it(matrix, free_rows[static_cast<std::size_t>(column)]); it; ++it) {
+      if (const int row = free_row[static_cast<std::size_t>(it.row())]; row >= 0) sum.add(row, it.value());
+    }
+  });
+  Eigen::MatrixXd reduced_load(free_count, values.cols());
+  for (int r = 0; r < free_count; ++r) reduced_load.row(r) = load.row(free_rows[static_cast<std::size_t>(r)]);
   auto solver = SparseSolver::factor(reduced);
   if (!solver) return tl::unexpected(solver.error());
   const Eigen::MatrixXd x = solver->solve(reduced_load);
-  for (Eigen::Index r = 0; r < n; ++r) {
-    const int row = free_row[static_cast<std::size_t>(r)];
-    if (row >= 0) out.row(r) = x.row(row);
-  }
+  for (int r = 0; r < free_count; ++r) out.row(free_rows[static_cast<std::size_t>(r)]) = x.row(r);
   return out;
 }
 

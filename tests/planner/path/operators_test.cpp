@@ -9,6 +9,7 @@
 #include "planner/surface/operators.hpp"
 #include "planner/surface/periodic_coordinate.hpp"
 #include "planner/surface/sparse_solver.hpp"
+#include "planner/surface/tied_matrix.hpp"
 #include "tests/cases.hpp"
 
 namespace volute::planner {
@@ -155,6 +156,52 @@ TEST(PeriodicCoordinate, GradientDoesNotDependOnSeam) {
       const Vec2 of_b = o.gradient(b.at_corner(mesh, t, 0), b.at_corner(mesh, t, 1), b.at_corner(mesh, t, 2));
       EXPECT_LT((of_a - of_b).norm(), 1e-11);
     }
+  }
+}
+
+/// Equal pattern and equal bytes.
+void expect_same(const SparseMatrix& got, const SparseMatrix& wanted) {
+  ASSERT_EQ(got.nonZeros(), wanted.nonZeros());
+  for (Eigen::Index c = 0; c < wanted.cols(); ++c) {
+    SparseMatrix::InnerIterator a(got, c), b(wanted, c);
+    for (; a && b; ++a, ++b) {
+      ASSERT_EQ(a.row(), b.row()) << "column " << c;
+      ASSERT_EQ(a.value(), b.value()) << "row " << a.row() << ", column " << c;
+    }
+    ASSERT_FALSE(a || b) << "column " << c;
+  }
+}
+
+// Property 1 of Ties: Eigen's products with R written out.
+TEST(Ties, EveryProductIsThatWithTheMatrixWrittenOut) {
+  constexpr unsigned seed = 31;
+  std::mt19937 random(seed);
+  for (int i = 0; i < cases(8); ++i) {
+    SCOPED_TRACE(i);
+    const TriangleMesh mesh = ring(60, 24, 5.0, 20.0, 0.2, seed + static_cast<unsigned>(i));
+    const auto n = static_cast<Eigen::Index>(mesh.vertices_mm.size());
+    constexpr int shared = 3;
+    std::vector<int> unknown(static_cast<std::size_t>(n), -1);
+    int count = shared;
+    for (int& u : unknown) {
+      const auto kind = random() % 8;
+      if (kind > 0) u = kind < 4 ? static_cast<int>(kind) - 1 : count++;
+    }
+    SparseMatrix written(n, count);
+    for (Eigen::Index v = 0; v < n; ++v) {
+      if (unknown[static_cast<std::size_t>(v)] >= 0) written.insert(v, unknown[static_cast<std::size_t>(v)]) = 1.0;
+    }
+    const Ties ties(unknown, count);
+    const SparseMatrix laplacian = cotan_laplacian(mesh);
+    const Eigen::VectorXd weight = Eigen::VectorXd::Random(n).cwiseAbs();
+    const SparseMatrix columns = laplacian * written;
+    const SparseMatrix both = written.transpose() * laplacian * written;
+    expect_same(tied_columns(laplacian, ties), columns);
+    expect_same(tied(laplacian, ties), both);
+    const SparseMatrix square = columns.transpose() * weight.asDiagonal() * columns;
+    expect_same(plus_square(both, columns, weight), both + square);
+    const Eigen::VectorXd gathered = written.transpose() * weight;
+    EXPECT_TRUE(tied(weight, ties) == gathered);
   }
 }
 
