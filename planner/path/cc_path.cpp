@@ -1,6 +1,10 @@
 #include "planner/path/cc_path.hpp"
 
+#include <tbb/parallel_invoke.h>
+
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "geometry/mesh_measure.hpp"
 #include "geometry/number_text.hpp"
@@ -135,18 +139,25 @@ Finished mended_even(const MeasureRequest& request, std::span<const Vec3> vertex
 Result<CcPathResult> plan_even(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
                                const PathOptions& options, const OrientationOptions& orientation) {
   const bool mirror_image = sense_of(options.cut_direction) == Sense::clockwise;
-  auto result = plan_even_spiral(mirror_image ? mirrored(surface) : surface, cutter, options, orientation);
+  Result<CcPathResult> result{};
+  std::optional<IntervalField> measured_intervals;  // what the finished path is measured by waits for nothing
+  std::vector<Vec3> normals;
+  tbb::parallel_invoke(
+      [&] { result = plan_even_spiral(mirror_image ? mirrored(surface) : surface, cutter, options, orientation); },
+      [&] {
+        measured_intervals.emplace(surface, interval_rule(cutter, options.scallop_mm, orientation));
+        normals = geometry::vertex_normals(surface);
+      });
   if (!result) return result;
   if (mirror_image) mirror(*result);
   if (auto begun = begin_even_at(surface, options, *result); !begun) return tl::unexpected(begun.error());
-  const IntervalField intervals(surface, interval_rule(cutter, options.scallop_mm, orientation));
+  const IntervalField& intervals = *measured_intervals;
   const CurveOptions curve = curve_options(cutter, options, orientation, intervals.rule());
   for (CcPiece& piece : result->path.pieces) {
     std::vector<RawStretch> stretches{{raw_points(piece.points), false}};
     if (auto kept = keep_turns(stretches, options); !kept) return tl::unexpected(kept.error());
     piece = finished_piece(std::move(stretches), options, curve);
   }
-  const auto normals = geometry::vertex_normals(surface);
   ScallopMeter meter = scallop_meter(surface, normals, intervals.rule());
   const MeasureRequest request{surface, intervals, {}, false, !options.from_turn && !options.to_turn, &meter};
   Finished best = mended_even(request, normals, measured_even(request, result->report, std::move(result->path)));

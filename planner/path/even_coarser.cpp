@@ -47,11 +47,17 @@ class Collapser {
 
   void run() {
     for (Index v = 0; v < static_cast<Index>(position_.size()); ++v) push(v);
+    Candidate refused{0.0, no_index, no_index};  // an edge is queued by each change beside it: once is enough to ask
     while (!queue_.empty()) {
       const Candidate c = queue_.top();
       queue_.pop();
       if (around_[at(c.gone)].empty() || around_[at(c.kept)].empty()) continue;
-      if (!allowed(c.gone, c.kept)) continue;
+      if (c.gone == refused.gone && c.kept == refused.kept) continue;
+      if (!allowed(c.gone, c.kept)) {
+        refused = c;
+        continue;
+      }
+      refused = {0.0, no_index, no_index};
       collapse(c.gone, c.kept);
       push(c.kept);
     }
@@ -76,19 +82,19 @@ class Collapser {
   [[nodiscard]] bool on_boundary(Index v) const { return loop_of_[at(v)] != no_index; }
 
   /// Neighbours of v, each as often as an edge to it has a triangle: once marks a boundary edge.
-  [[nodiscard]] std::vector<Index> neighbours(Index v) const {
-    std::vector<Index> out;
+  void neighbours(Index v, std::vector<Index>& out) const {
+    out.clear();
     for (Index t : around_[at(v)]) {
       for (Index w : triangle_[at(t)]) {
         if (w != v) out.push_back(w);
       }
     }
     std::sort(out.begin(), out.end());
-    return out;
   }
 
   void push(Index v) {
-    std::vector<Index> near = neighbours(v);
+    std::vector<Index>& near = near_gone_;
+    neighbours(v, near);
     near.erase(std::unique(near.begin(), near.end()), near.end());
     for (Index w : near) {
       const double length = (position_[at(v)] - position_[at(w)]).norm();
@@ -108,13 +114,15 @@ class Collapser {
     return false;
   }
 
-  [[nodiscard]] bool allowed(Index gone, Index kept) const {
-    const std::vector<Index> near_gone = neighbours(gone), near_kept = neighbours(kept);
+  [[nodiscard]] bool allowed(Index gone, Index kept) {
+    std::vector<Index>&near_gone = near_gone_, &near_kept = near_kept_, &shared = shared_;
+    neighbours(gone, near_gone);
     const auto edge_triangles = std::count(near_gone.begin(), near_gone.end(), kept);
     if (edge_triangles == 0) return false;
     if (on_boundary(gone) && (edge_triangles != 1 || !boundary_keeps_shape(gone, kept, near_gone))) return false;
     // Link condition: the two vertices share no more neighbours than the edge has triangles.
-    std::vector<Index> shared;
+    neighbours(kept, near_kept);
+    shared.clear();
     std::set_intersection(near_gone.begin(), near_gone.end(), near_kept.begin(), near_kept.end(),
                           std::back_inserter(shared));
     shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
@@ -166,6 +174,7 @@ class Collapser {
   std::vector<std::vector<Index>> around_;
   std::vector<Index> loop_of_;
   std::vector<std::size_t> loop_size_;
+  std::vector<Index> near_gone_, near_kept_, shared_;  ///< workspace
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
 };
 

@@ -290,7 +290,8 @@ Result<CcPathResult> plan_even_spiral(const geometry::TriangleMesh& surface, con
   if (!conditioned) return tl::unexpected(conditioned.error());
   const auto prepared = EvenSurface::build(conditioned->mesh);
   if (!prepared) return tl::unexpected(prepared.error());
-  const IntervalField interval(prepared->mesh, interval_rule(cutter, options.scallop_mm, orientation));
+  const IntervalField interval(prepared->mesh, interval_rule(cutter, options.scallop_mm, orientation),
+                               prepared->curvature);
   const auto on = field_surface(*prepared, interval.rule());
   if (!on) return tl::unexpected(on.error());
   auto planned = planned_round(*on, interval.rule(), options);

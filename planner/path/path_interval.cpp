@@ -33,7 +33,11 @@ IntervalRule interval_rule(const kinematics::Cutter& cutter, double scallop_mm, 
 }
 
 IntervalField::IntervalField(const TriangleMesh& mesh, const IntervalRule& rule)
-    : rule_(rule), tensor_(geometry::triangle_curvature(mesh)) {
+    : IntervalField(mesh, rule, geometry::triangle_curvature(mesh)) {}
+
+IntervalField::IntervalField(const TriangleMesh& mesh, const IntervalRule& rule, std::vector<Mat3> curvature)
+    : rule_(rule), tensor_(std::move(curvature)) {
+  VOLUTE_CHECK(tensor_.size() == mesh.triangles.size(), tensor_.size(), mesh.triangles.size());
   const std::vector<Vec3> normals = geometry::triangle_normals(mesh);
   double area = 0.0, too_tight = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

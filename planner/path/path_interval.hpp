@@ -35,6 +35,8 @@ IntervalRule interval_rule(const kinematics::Cutter& cutter, double scallop_mm, 
 class IntervalField {
  public:
   IntervalField(const TriangleMesh& mesh, const IntervalRule& rule);
+  /// The same with the mesh's geometry::triangle_curvature.
+  IntervalField(const TriangleMesh& mesh, const IntervalRule& rule, std::vector<Mat3> curvature);
 
   [[nodiscard]] const IntervalRule& rule() const { return rule_; }
   /// Allowed interval where the next pass lies in this direction. Requires: unit tangent.

@@ -64,10 +64,13 @@ double interval_ratio_max(const TriangleMesh& surface, const IntervalField& inte
 /// Low heights are asked for exactly only where there are no others to report.
 ScallopMap measured_scallop(const MeasureRequest& request, const CcPath& path) {
   const IntervalRule& rule = request.intervals.rule();
-  const auto normals = geometry::vertex_normals(request.surface);
-  ScallopMap scallop = request.meter != nullptr ? request.meter->measure(path)
-                                                : scallop_meter(request.surface, normals, rule).measure(path);
+  const bool again = request.meter != nullptr;
+  std::vector<Vec3> normals;
+  if (!again) normals = geometry::vertex_normals(request.surface);
+  ScallopMap scallop =
+      again ? request.meter->measure(path) : scallop_meter(request.surface, normals, rule).measure(path);
   if (scallop.statistics.p9999_ratio > exact_from_ratio) return scallop;
+  if (again) normals = geometry::vertex_normals(request.surface);
   return measure_scallop(request.surface, normals, path, rule.radius_mm, rule.scallop_mm,
                          {.per_edge = scallop_samples_per_edge, .closer_from_ratio = exact_from_ratio});
 }
