@@ -151,7 +151,7 @@ void EvenFieldSolver::pack() {
   }
 }
 
-Result<void> EvenFieldSolver::assemble(std::span<const double> bend_gain) {
+SparseMatrix EvenFieldSolver::assemble(std::span<const double> bend_gain) {
   const EvenDomain& domain = *domain_;
   const double usual_mm = median(weight_) / options_.step;
   const double bend = options_.bend * usual_mm * usual_mm * usual_mm;
@@ -176,27 +176,35 @@ Result<void> EvenFieldSolver::assemble(std::span<const double> bend_gain) {
   const Eigen::VectorXd bent = as_vector(divergence(domain.mesh, domain.operators, theta_slope_)) - laplacian * held;
   const Eigen::VectorXd grown = as_vector(divergence(domain.mesh, domain.operators, weighted_slope)) - weighted * held;
   constant_load_ = reduced.transpose() * Eigen::VectorXd(inner.asDiagonal() * bent) + tied(grown, ties);
-  if (solver_) return solver_->refactor(matrix);
-  auto solver = SparseSolver::factor(matrix);
-  if (!solver) return tl::unexpected(solver.error());
-  solver_ = std::move(*solver);
-  return {};
+  return matrix;
 }
 
 Result<void> EvenFieldSolver::stiffen(std::span<const double> bend_gain) {
   VOLUTE_CHECK(bend_gain.size() == unknown_.size(), bend_gain.size(), unknown_.size());
-  return assemble(bend_gain);
+  return solver_->refactor(assemble(bend_gain));
+}
+
+Result<SparseSolver> EvenFieldSolver::factor(const EvenDomain& domain, const IntervalRule& rule,
+                                             const EvenFieldOptions& options) {
+  auto solver = build(domain, rule, options, std::vector<double>(domain.floating.size(), 0.0));
+  if (!solver) return tl::unexpected(solver.error());
+  return std::move(*solver->solver_);
 }
 
 Result<EvenFieldSolver> EvenFieldSolver::build(const EvenDomain& domain, const IntervalRule& rule,
                                                const EvenFieldOptions& options,
-                                               const std::optional<std::vector<double>>& float_levels) {
+                                               const std::optional<std::vector<double>>& float_levels,
+                                               std::optional<SparseSolver> ready) {
   VOLUTE_CHECK(!float_levels || float_levels->size() == domain.floating.size(), domain.floating.size());
   EvenFieldSolver out(domain, rule, options);
   out.number_unknowns(float_levels);
   out.weigh();
-  const std::vector<double> ones(domain.mesh.vertices_mm.size(), 1.0);
-  if (auto done = out.assemble(ones); !done) return tl::unexpected(done.error());
+  const SparseMatrix matrix = out.assemble(std::vector<double>(domain.mesh.vertices_mm.size(), 1.0));
+  out.solver_ = std::move(ready);
+  if (out.solver_) return out;
+  auto solver = SparseSolver::factor(matrix);
+  if (!solver) return tl::unexpected(solver.error());
+  out.solver_ = std::move(*solver);
   return out;
 }
 

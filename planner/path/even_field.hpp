@@ -42,9 +42,15 @@ class EvenFieldSolver {
  public:
   /// `float_levels`: the value of phi - theta held on each floating hole; nothing: constant there, but free.
   /// Errors: as SparseSolver::factor.
+  /// `ready`: what factor() gave for this domain; requires float levels.
   static Result<EvenFieldSolver> build(const EvenDomain& domain, const IntervalRule& rule,
                                        const EvenFieldOptions& options,
-                                       const std::optional<std::vector<double>>& float_levels);
+                                       const std::optional<std::vector<double>>& float_levels,
+                                       std::optional<SparseSolver> ready = std::nullopt);
+  /// The factor for held float levels, whatever they are, and whatever theta is turned by: it can be had before they
+  /// are known. Errors: as SparseSolver::factor.
+  static Result<SparseSolver> factor(const EvenDomain& domain, const IntervalRule& rule,
+                                     const EvenFieldOptions& options);
 
   /// Multiplies the cost of bending, vertex by vertex (1 each at first). Errors: as SparseSolver::factor.
   Result<void> stiffen(std::span<const double> bend_gain);
@@ -63,7 +69,8 @@ class EvenFieldSolver {
   EvenFieldSolver(const EvenDomain& domain, const IntervalRule& rule, const EvenFieldOptions& options);
   void number_unknowns(const std::optional<std::vector<double>>& float_levels);
   void weigh();
-  Result<void> assemble(std::span<const double> bend_gain);
+  /// The matrix; constant_load_ too.
+  [[nodiscard]] SparseMatrix assemble(std::span<const double> bend_gain);
   /// What a step reads of triangles that it takes together.
   struct Pack {
     std::array<std::array<Index, project_lanes>, 3> corner;  ///< vertices

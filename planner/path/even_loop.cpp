@@ -241,9 +241,9 @@ Result<void> settle_first_field(const EvenDomain& domain, const IntervalRule& ru
 }
 
 Result<EvenRound> even_rounds(EvenDomain& domain, EvenField field, const IntervalRule& rule,
-                              const EvenLoopOptions& options) {
+                              const EvenLoopOptions& options, std::optional<SparseSolver> ready) {
   const auto levels = settled_levels(domain, field);
-  auto solver = EvenFieldSolver::build(domain, rule, options.field, levels);
+  auto solver = EvenFieldSolver::build(domain, rule, options.field, levels, std::move(ready));
   if (!solver) return tl::unexpected(solver.error());
   Corrections made{std::vector<double>(domain.mesh.triangles.size(), 1.0),
                    std::vector<double>(domain.mesh.vertices_mm.size(), 1.0)};

@@ -52,7 +52,8 @@ Result<void> settle_first_field(const EvenDomain& domain, const IntervalRule& ru
 /// Goes on from `field`: holds the floating holes midway between path levels (theta is turned for that), traces,
 /// measures, corrects: closer passes where the scallop is too high, dearer bending where too many corners are sharp.
 /// Errors (bad_input): path-even-broken when no round holds one piece; as SparseSolver::factor.
+/// `ready`: EvenFieldSolver::factor of this domain with options.field, where that was had before.
 Result<EvenRound> even_rounds(EvenDomain& domain, EvenField field, const IntervalRule& rule,
-                              const EvenLoopOptions& options);
+                              const EvenLoopOptions& options, std::optional<SparseSolver> ready = std::nullopt);
 
 }  // namespace volute::planner

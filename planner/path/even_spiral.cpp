@@ -177,12 +177,17 @@ Result<Planned> planned_around(const EvenSurface& surface, const EvenSurface& co
                                const IntervalRule& rule, double ramp_share, const EvenLoopOptions& loop) {
   Result<void> settled;
   Result<EvenDomain> domain{};
-  tbb::parallel_invoke(
-      [&] { settled = settle_first_field(finalist.domain, rule, loop, finalist.field); },
-      [&] { domain = even_domain(surface, moved_centre(coarse, finalist.centre, surface), ramp_share); });
+  Result<SparseSolver> factor = geometry::bad_input("path-even-broken", "no domain");
+  tbb::parallel_invoke([&] { settled = settle_first_field(finalist.domain, rule, loop, finalist.field); },
+                       [&] {
+                         domain = even_domain(surface, moved_centre(coarse, finalist.centre, surface), ramp_share);
+                         if (domain) factor = EvenFieldSolver::factor(*domain, rule, loop.field);
+                       });
   if (!settled) return tl::unexpected(settled.error());
   if (!domain) return tl::unexpected(domain.error());
-  auto round = even_rounds(*domain, prolonged(finalist.domain, finalist.field, *domain), rule, loop);
+  if (!factor) return tl::unexpected(factor.error());
+  auto round =
+      even_rounds(*domain, prolonged(finalist.domain, finalist.field, *domain), rule, loop, std::move(*factor));
   if (!round) return tl::unexpected(round.error());
   return Planned{std::move(*domain), std::move(*round), {}};
 }

@@ -83,7 +83,8 @@ bool ScallopBalls::lower(const Vec3& centre_mm, Index ball, ScallopEntry& entry)
   return true;
 }
 
-void ScallopBalls::follow(Index from, double enough_mm, ScallopEntry& entry, LookedAt& looked_at) const {
+[[gnu::flatten]] void ScallopBalls::follow(Index from, double enough_mm, ScallopEntry& entry,
+                                           LookedAt& looked_at) const {
   const auto take = [&](Index i) {
     looked_at.extend(along_[at(i)]);
     return lower(along_[at(i)], i, entry);
@@ -151,7 +152,7 @@ bool ScallopBalls::misses(const Run& run, const ScallopEntry& entry) const {
   return chord_distance_sq(run, entry.entered_mm()) >= clear_mm * clear_mm;
 }
 
-void ScallopBalls::within(double reach_mm, ScallopEntry& entry, LookedAt& looked_at) const {
+[[gnu::flatten]] void ScallopBalls::within(double reach_mm, ScallopEntry& entry, LookedAt& looked_at) const {
   const Vec3 middle_mm = entry.point_mm + radius_mm_ * entry.normal;
   const Vec3 reach = Vec3::Constant(reach_mm + cells_.cell_mm());
   looked_at.extend(middle_mm - reach).extend(middle_mm + reach);

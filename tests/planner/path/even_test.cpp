@@ -254,6 +254,30 @@ double mean_slope_ratio(const EvenDomain& domain, const std::vector<Vec2>& slope
   return sum / area_mm2;
 }
 
+// What factor() gives before levels and theta are settled serves after, to the last bit.
+TEST(EvenField, AFactorHadBeforeTheLevelsGivesTheSameField) {
+  const auto surface = EvenSurface::build(disc_with_holes(24.0, {{-9.0, 3.0, 4.0}, {8.0, -5.0, 4.0}}, 1.2));
+  ASSERT_TRUE(surface.has_value());
+  auto domain = even_domain(*surface, Centre{Index{1}, {}});
+  ASSERT_TRUE(domain.has_value());
+  ASSERT_EQ(domain->floating.size(), 1U);
+  const IntervalRule rule = interval_rule(ball(3.0), 0.2, {});
+  auto ready = EvenFieldSolver::factor(*domain, rule, {});
+  ASSERT_TRUE(ready.has_value());
+  for (double& theta : domain->theta.vertex) theta += 0.3;
+  const std::vector<double> levels{2.0}, gain(domain->mesh.triangles.size(), 1.0);
+  std::vector<EvenField> fields;
+  for (const bool had : {false, true}) {
+    const auto solver = EvenFieldSolver::build(*domain, rule, {}, levels,
+                                               had ? std::optional<SparseSolver>(std::move(*ready)) : std::nullopt);
+    ASSERT_TRUE(solver.has_value());
+    fields.push_back(solver->start());
+    solver->improve(fields.back(), gain, 2, 10);
+  }
+  EXPECT_EQ(fields[0].phi, fields[1].phi);
+  EXPECT_EQ(fields[0].turns, fields[1].turns);
+}
+
 TEST(EvenField, CreasesLetPassesTurnCornersAtTheSameDistance) {
   const auto surface = EvenSurface::build(square_ring(4.0, 20.0, 160, 24));
   ASSERT_TRUE(surface.has_value());
