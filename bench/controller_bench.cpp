@@ -34,11 +34,10 @@ kinematics::Machine machine() {
 
 /// A five-axis spiral under TCP, `blocks` of `step_mm` at `feed_mm_s`.
 MotionSource spiral(std::int64_t blocks, double step_mm, double feed_mm_s) {
-  return [=, phi = 0.0, k = std::int64_t{0}]() mutable -> Result<std::optional<MotionBlock>> {
+  return [=, phi = 0.0, k = std::int64_t{0}, block = MotionBlock()]() mutable -> Result<std::optional<MotionBlock>> {
     if (k == blocks) return std::optional<MotionBlock>();
     const double r = 25.0 + 15.0 * std::cos(phi / 400.0);
     phi += step_mm / r;
-    MotionBlock block;
     block.line = ++k;
     block.tcp = block.tool_length_active = block.spindle_on = true;
     block.xyz_mm = Vec3(r * std::cos(phi), r * std::sin(phi), 5.0 * std::cos(r * std::cos(phi) / 10.0));
@@ -48,6 +47,43 @@ MotionSource spiral(std::int64_t blocks, double step_mm, double feed_mm_s) {
     block.feed = feed_mm_s;
     return std::optional<MotionBlock>(block);
   };
+}
+
+/// Rapids under TCP that turn both rotaries, each a long way.
+std::vector<MotionBlock> turning_rapids(std::size_t count) {
+  std::vector<MotionBlock> blocks(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto at = static_cast<double>(k);
+    blocks[k].kind = MotionKind::rapid;
+    blocks[k].line = static_cast<std::int64_t>(k) + 1;
+    blocks[k].tcp = blocks[k].tool_length_active = true;
+    blocks[k].xyz_mm = Vec3(60.0 * std::sin(2.1 * at), 60.0 * std::cos(1.3 * at), 20.0);
+    blocks[k].xyz_programmed = blocks[k].xyz_known = {true, true, true};
+    blocks[k].rotary_rad = {0.3 + 0.2 * std::sin(1.7 * at), 1.5 * std::sin(2.9 * at)};
+    blocks[k].rotary_programmed = blocks[k].rotary_known = {true, true};
+  }
+  return blocks;
+}
+
+/// Nothing but rapids: what the search of their S-curves costs.
+void TurningRapids(benchmark::State& state) {
+  const kinematics::Machine bench_machine = machine();
+  kinematics::Control control;
+  control.acceleration_profile = kinematics::AccelerationProfile::s_curve;
+  ControlSetup setup;
+  setup.machine = &bench_machine;
+  setup.control = &control;
+  setup.tool_length_mm = 100.0;
+  const std::vector<MotionBlock> blocks = turning_rapids(500);
+  double simulated_s = 0.0;
+  for (auto _ : state) {
+    std::size_t next = 0;
+    const MotionSource source = [&]() -> Result<std::optional<MotionBlock>> {
+      return next == blocks.size() ? std::nullopt : std::make_optional(blocks[next++]);
+    };
+    simulated_s += run_motions(source, setup, {})->cycle_time_s;
+  }
+  state.counters["times_real_time"] = benchmark::Counter(simulated_s, benchmark::Counter::kIsRate);
 }
 
 void run(benchmark::State& state, double step_mm, double feed_mm_s, std::int64_t blocks) {
@@ -84,6 +120,7 @@ void Length(benchmark::State& state) {
 }
 
 BENCHMARK(OneHour)->Unit(benchmark::kMillisecond);
+BENCHMARK(TurningRapids)->Unit(benchmark::kMillisecond);
 BENCHMARK(SixMinutes)->Unit(benchmark::kMillisecond);
 BENCHMARK(FastShortBlocks)->Unit(benchmark::kMillisecond);
 BENCHMARK(Length)->Arg(100'000)->Arg(1'000'000)->Arg(10'000'000)->Iterations(1)->Unit(benchmark::kMillisecond);
