@@ -13,12 +13,15 @@
 
 namespace volute::sim {
 
-/// A straight rapid: of the tip while both rotaries turn evenly (`tcp`), or of all axes.
+/// A straight rapid: of the tip while both rotaries turn evenly or the axis vector follows the great circle (`tcp`), or
+/// of all axes.
 struct RapidLine {
   bool tcp = false;
   Vec3 from_tip_P_mm, to_tip_P_mm;
   AxisVector from_q, to_q;
   double least_time_s = 0.0;  ///< as the rapid feed and the least block time have it
+  /// The great circle's ends; nothing: the rotaries turn evenly.
+  std::optional<std::array<Vec3, 2>> circle_P = std::nullopt;
 };
 
 /// What one motion block becomes.
@@ -62,12 +65,9 @@ class BlockGeometry {
     return block.tool_length_active ? zero_with_tool_ : zero_without_tool_;
   }
   [[nodiscard]] const AxisSolver& solver() const { return solver_; }
-  /// The axes at a share of the way under TCP. Nothing: the linear axes do not span space.
-  [[nodiscard]] std::optional<AxisVector> axes_on(const RapidLine& line, double share) const {
-    AxisVector q = line.from_q;
-    q.tail<2>() += share * (line.to_q - line.from_q).tail<2>();
-    return solver_.with_tip(line.from_tip_P_mm + share * (line.to_tip_P_mm - line.from_tip_P_mm), q);
-  }
+  /// The axes at a share of the way under TCP, the rotaries next to those of `near_q`. Nothing: no position of the axes
+  /// is there.
+  [[nodiscard]] std::optional<AxisVector> axes_on(const RapidLine& line, double share, const AxisVector& near_q) const;
 
  private:
   void turn_by_vector(const MotionBlock& block, Target& target) const;
@@ -80,6 +80,8 @@ class BlockGeometry {
   geometry::Result<void> add_arc(const MotionBlock& block, const Target& target, BlockPath& path);
   geometry::Result<void> add_tcp_point(const MotionBlock& block, const Vec3& tip_P_mm, const AxisVector& rotaries_q,
                                        BlockPath& path);
+  [[nodiscard]] RapidLine rapid_line(const MotionBlock& block, const Target& target, const AxisVector& from_q,
+                                     const Vec3& from_tip, double least_time_s) const;
   [[nodiscard]] bool turns_about_the_tip(const MotionBlock& block, const Target& target) const;
   void add_axis_point(const AxisVector& q, BlockPath& path);
   void set_speed(const MotionBlock& block, const AxisVector& from_q, const Vec3& from_tip, BlockInfo& info,

@@ -26,11 +26,16 @@ std::optional<AxisCurve> RapidPlanner::curve(const RapidLine& line) const {
   constexpr double turn_of_a_cell_rad = 0.15;
   constexpr int cells_least = 2, cells_most = 512;
   const double turn_rad = (line.to_q - line.from_q).tail<2>().cwiseAbs().maxCoeff();
-  if (!line.tcp || turn_rad == 0.0) return AxisCurve::line(line.from_q, line.to_q);
+  if (!line.tcp || (turn_rad == 0.0 && !line.circle_P)) return AxisCurve::line(line.from_q, line.to_q);
   const double cells = std::ceil(turn_rad / turn_of_a_cell_rad);
   if (cells > cells_most) return std::nullopt;
-  return AxisCurve::through([&](double share) { return geometry_.axes_on(line, share); },
-                            std::max(cells_least, static_cast<int>(cells)), cells_most);
+  AxisVector near_q = line.from_q;
+  const auto axes = [&](double share) {
+    const auto q = geometry_.axes_on(line, share, share <= 0.0 ? line.from_q : near_q);
+    if (q) near_q = *q;
+    return q;
+  };
+  return AxisCurve::through(axes, std::max(cells_least, static_cast<int>(cells)), cells_most);
 }
 
 std::optional<RestMove> RapidPlanner::move(const RapidLine& line) const {

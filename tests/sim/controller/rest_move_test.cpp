@@ -130,7 +130,9 @@ TEST(AxisCurve, AFunctionWithoutAValueHasNoCurve) {
 }
 
 std::vector<MotionBlock> turning_rapid(const Vec3& from, const Vec3& to, double a0, double c0, double a1, double c1) {
-  std::vector<MotionBlock> blocks{line_to(from, 100.0, a0, c0, true), line_to(to, 0.0, a1, c1, true)};
+  std::vector<MotionBlock> blocks(2, line_to(from, 100.0, a0, c0, true));
+  blocks[1].xyz_mm = to;
+  blocks[1].rotary_rad = {a1, c1};
   blocks[1].kind = MotionKind::rapid;
   return blocks;
 }
@@ -189,6 +191,38 @@ TEST(RestMove, TheTipStaysOnItsLineAndEveryLimitIsHeld) {
   RecordProperty("most_off_mm", std::to_string(most_off_mm));
 }
 
+// The axis vector on the great circle is a smooth curve of the axes too, away from the pole and close to it.
+TEST(RestMove, TheAxisVectorStaysOnItsGreatCircle) {
+  std::mt19937 random(625);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  kinematics::Control control = plain_control();
+  control.orientation_interpolation = kinematics::OrientationInterpolation::great_circle;
+  const auto machine = head_machine();
+  int planned = 0;
+  for (int k = 0; k < cases(40); ++k) {
+    const Vec3 from = Vec3(unit(random), unit(random), 1.5).normalized(),
+               to = Vec3(unit(random), unit(random), 1.5).normalized();
+    auto blocks = turning_rapid({0, 0, 0}, {30, 10, -5}, 0, 0, 0, 0);
+    blocks[0].axis_vector = from;
+    blocks[1].axis_vector = to;
+    const Ran run = run_blocks(machine, control, blocks);
+    const Vec3 normal = from.cross(to).normalized();
+    double off = 0.0, off_mm = 0.0;
+    for (const AxisSample& sample : run.samples) {
+      if (sample.line != 2 || sample.limit == Limit::stop) continue;
+      const auto pose = kinematics::tool_pose(machine, {}, 100.0, sample.position);
+      off = std::max(off, std::abs(pose.axis_P.dot(normal)));
+      const Vec3 way = Vec3(30, 10, -5).normalized();
+      off_mm = std::max(off_mm, (pose.tip_P_mm - pose.tip_P_mm.dot(way) * way).norm());
+    }
+    for (const AxisPeaks& peaks : run.report.axes)
+      EXPECT_LE(peaks.limit_ratio_max, 1.0 + 1e-9) << "seed 625 case " << k;
+    EXPECT_LE((kinematics::tool_pose(machine, {}, 100.0, run.samples.back().position).axis_P - to).norm(), 1e-9);
+    if (off <= 1e-5 && off_mm <= 1e-4) ++planned;
+  }
+  EXPECT_GE(planned, cases(40) / 2);  // through the pole no smooth curve leads: what comes close to it is averaged
+}
+
 // With an average of its own the control file decides; a trapezoid needs no third order.
 TEST(RestMove, AFilterOfTheControlFileStaysInForce) {
   const auto machine = head_machine();
@@ -207,7 +241,7 @@ TEST(RestMove, AFilterOfTheControlFileStaysInForce) {
 // Many short rapids in a row go through their corners together, as one averaged path: to rest at each would be slower.
 TEST(RestMove, AChainOfShortRapidsDoesNotStop) {
   const auto machine = head_machine();
-  std::vector<MotionBlock> blocks{line_to({0, 0, 0}, 100.0, 0.2, 0, true)};
+  std::vector<MotionBlock> blocks(1, line_to({0, 0, 0}, 100.0, 0.2, 0, true));
   for (int k = 1; k <= 300; ++k) {
     blocks.push_back(line_to({0.2 * k, 0, 0}, 0.0, 0.2, 0.005 * k, true));
     blocks.back().kind = MotionKind::rapid;
