@@ -1,6 +1,9 @@
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <queue>
 
 #include "planner/path/even_resample.hpp"
@@ -46,11 +49,10 @@ class Collapser {
   }
 
   void run() {
-    for (Index v = 0; v < static_cast<Index>(position_.size()); ++v) push(v);
+    queue_all();
     Candidate refused{0.0, no_index, no_index};  // an edge is queued by each change beside it: once is enough to ask
-    while (!queue_.empty()) {
-      const Candidate c = queue_.top();
-      queue_.pop();
+    while (const std::optional<Candidate> next = pop()) {
+      const Candidate& c = *next;
       if (around_[at(c.gone)].empty() || around_[at(c.kept)].empty()) continue;
       if (c.gone == refused.gone && c.kept == refused.kept) continue;
       if (!allowed(c.gone, c.kept)) {
@@ -90,6 +92,29 @@ class Collapser {
       }
     }
     std::sort(out.begin(), out.end());
+  }
+
+  /// The edges of the given mesh, sorted once: a heap of them all would be walked from end to end of memory.
+  void queue_all() {
+    for (Index v = 0; v < static_cast<Index>(position_.size()); ++v) {
+      neighbours(v, near_gone_);
+      near_gone_.erase(std::unique(near_gone_.begin(), near_gone_.end()), near_gone_.end());
+      for (Index w : near_gone_) {
+        const double length = (position_[at(v)] - position_[at(w)]).norm();
+        if (length < edge_mm_) given_.push_back({length, v, w});
+      }
+    }
+    tbb::parallel_sort(given_.begin(), given_.end(), [](const Candidate& a, const Candidate& b) { return b > a; });
+  }
+
+  /// The shortest edge queued, given or later; nothing where none is left.
+  [[nodiscard]] std::optional<Candidate> pop() {
+    const bool given = next_given_ < given_.size();
+    if (given && (queue_.empty() || queue_.top() > given_[next_given_])) return given_[next_given_++];
+    if (queue_.empty()) return {};
+    const Candidate out = queue_.top();
+    queue_.pop();
+    return out;
   }
 
   void push(Index v) {
@@ -175,6 +200,8 @@ class Collapser {
   std::vector<Index> loop_of_;
   std::vector<std::size_t> loop_size_;
   std::vector<Index> near_gone_, near_kept_, shared_;  ///< workspace
+  std::vector<Candidate> given_;
+  std::size_t next_given_ = 0;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
 };
 
