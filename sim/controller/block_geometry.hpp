@@ -9,20 +9,10 @@
 #include "kinematics/model/control.hpp"
 #include "sim/controller/axis_solver.hpp"
 #include "sim/controller/path_point.hpp"
+#include "sim/controller/rapid_line.hpp"
 #include "sim/interpreter/program.hpp"
 
 namespace volute::sim {
-
-/// A straight rapid: of the tip while both rotaries turn evenly or the axis vector follows the great circle (`tcp`), or
-/// of all axes.
-struct RapidLine {
-  bool tcp = false;
-  Vec3 from_tip_P_mm, to_tip_P_mm;
-  AxisVector from_q, to_q;
-  double least_time_s = 0.0;  ///< as the rapid feed and the least block time have it
-  /// The great circle's ends; nothing: the rotaries turn evenly.
-  std::optional<std::array<Vec3, 2>> circle_P = std::nullopt;
-};
 
 /// What one motion block becomes.
 struct BlockPath {
