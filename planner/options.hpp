@@ -26,7 +26,7 @@ struct PathOptions {
   double scallop_mm = 0.1;                  ///< greatest height left between passes
   double tolerance_mm = 0.01;               ///< chordal tolerance of the path that the tool takes
   Direction direction = Direction::inward;  ///< inward: from the outer boundary to the centre
-  CutDirection cut_direction = CutDirection::any;
+  CutDirection cut_direction = CutDirection::any;  ///< else one for the whole path, which then never turns back
   double allowance_mm = 0.0;  ///< stock to leave on the surface
   int centre_loop = -1;       ///< boundary loop to end in (by falling length; 0 is the outer one); -1: chosen
   RootChild root_child = RootChild::nearest;  ///< paper, periodic: which hole is joined to the outer boundary

@@ -12,6 +12,8 @@
 #include "geometry/index.hpp"
 #include "geometry/mesh_measure.hpp"
 #include "planner/path/even_field.hpp"
+#include "planner/path/even_fold.hpp"
+#include "planner/path/even_fold_search.hpp"
 #include "planner/path/even_path.hpp"
 #include "planner/path/even_ridge.hpp"
 
@@ -19,15 +21,9 @@ namespace volute::planner {
 
 using geometry::at;
 namespace {
-
+using Scored = ScoredCentre;
 constexpr double hopeless = std::numeric_limits<double>::infinity();
-
 constexpr double ridge_kept_share = 0.15;  ///< of the depth: ways along ridges are as straight as this lets them be
-
-struct Scored {
-  double score = hopeless;
-  Centre centre;
-};
 
 /// The search on the coarse mesh.
 class CentreSearch {
@@ -68,6 +64,9 @@ class CentreSearch {
       grow(s, found);
     }
     std::stable_sort(found.begin(), found.end(), [](const Scored& a, const Scored& b) { return a.score < b.score; });
+    if (options_.folds_max > 0)
+      add_folds(
+          coarse_, rule_, options_, room_mm_, [&](const std::vector<Centre>& c) { return scores(c); }, found);
     return found;
   }
 
@@ -75,6 +74,7 @@ class CentreSearch {
   static std::vector<Index> key_of(const Centre& centre) {
     std::vector<Index> key{centre.loop};
     for (const Arm& arm : centre.arms) key.insert(key.end(), {arm.from, arm.to});
+    for (const Fold& fold : centre.folds) key.insert(key.end(), {geometry::no_index, fold.from, fold.to});
     return key;
   }
 
@@ -279,15 +279,16 @@ class CentreSearch {
 
   /// The path length that the field promises, mm.
   [[nodiscard]] double score(const Centre& centre) const {
-    constexpr double surcharge_pieces = 1.2;
-    const auto domain = even_domain(coarse_, centre);
-    if (!domain) return hopeless;
+    constexpr double surcharge_pieces = 1.2, surcharge_misfit = 0.02;
+    auto domain = even_domain(coarse_, centre);
+    if (!domain || !lay_folds(*domain, rule_, centre.folds)) return hopeless;
     const auto solver = EvenFieldSolver::build(*domain, rule_, options_.field, std::nullopt);
     if (!solver) return hopeless;
     EvenField field = solver->start();
     const std::vector<double> gain(domain->mesh.triangles.size(), 1.0);
     solver->improve(field, gain, options_.outer, options_.inner);
     const double length_mm = promised_length_mm(*domain, rule_, solver->slopes(field));
+    if (!centre.folds.empty()) return length_mm * (1.0 + surcharge_misfit * fold_misfit(*domain, field));
     return even_path(*domain, field, rule_.interval_mm(0.0)).pieces == 1 ? length_mm : surcharge_pieces * length_mm;
   }
 

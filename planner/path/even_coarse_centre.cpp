@@ -66,6 +66,11 @@ Centre moved_centre(const EvenSurface& from, const Centre& centre, const EvenSur
     const Arm there{moved(arm.from), moved(arm.to)};
     if (there.from != there.to) out.arms.push_back(there);
   }
+  for (const Fold& fold : centre.folds) {
+    const Fold there{nearest_vertex(to, from.mesh.vertices_mm[at(fold.from)], true),
+                     nearest_vertex(to, from.mesh.vertices_mm[at(fold.to)], true)};
+    if (there.from != there.to) out.folds.push_back(there);
+  }
   if (!centre.has_loop()) return out;
   const auto& loop = from.topology.boundary_loops()[at(centre.loop)];
   const Index vertex = nearest_vertex(to, from.mesh.vertices_mm[at(loop.vertices.front())], false);

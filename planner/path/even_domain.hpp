@@ -30,10 +30,16 @@ struct EvenSurface {
 struct Arm {
   Index from = geometry::no_index, to = geometry::no_index;
 };
+/// Two passes more between two inner vertices than beside them, on the way from one to the other: at either end two
+/// neighbouring passes are one, turning back. Swapped ends: two passes less there.
+struct Fold {
+  Index from = geometry::no_index, to = geometry::no_index;
+};
 /// Where the spiral ends: a boundary loop, a tree of slits, or a loop with slits growing out of it.
 struct Centre {
   Index loop = geometry::no_index;  ///< boundary loop, by falling length, not 0
   std::vector<Arm> arms;            ///< each starts where an earlier one starts or ends, or on a hole of the centre
+  std::vector<Fold> folds = {};     ///< for lay_folds (even_fold.hpp); even_domain itself ignores them
 
   [[nodiscard]] bool has_loop() const { return loop != geometry::no_index; }
 };
@@ -50,6 +56,7 @@ struct EvenDomain {
   std::vector<double> harmonic;                  ///< 0 outside, 1 at the centre, constant on floating holes (no flux)
   PeriodicCoordinate theta;                      ///< once around, counter-clockwise positive
   std::vector<std::vector<Index>> slits;         ///< vertices along each arm of the centre
+  std::vector<std::vector<Index>> folds;         ///< vertices along each fold, from end to end
 
   [[nodiscard]] double interval_mm(const IntervalRule& rule, Index triangle, const Vec3& across) const {
     return rule.interval_mm(across.dot(curvature[static_cast<std::size_t>(triangle)] * across));

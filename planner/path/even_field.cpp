@@ -80,7 +80,7 @@ std::vector<double> stretched(const EvenDomain& domain, const std::vector<double
 EvenFieldSolver::EvenFieldSolver(const EvenDomain& domain, const IntervalRule& rule, const EvenFieldOptions& options)
     : domain_(&domain), rule_(rule), options_(options), corners_(domain.mesh) {}
 
-void EvenFieldSolver::number_unknowns(const std::optional<std::vector<double>>& float_levels) {
+void EvenFieldSolver::number_unknowns(const std::optional<HeldLevels>& levels) {
   const EvenDomain& domain = *domain_;
   constexpr int inner = -2;
   unknown_.assign(domain.mesh.vertices_mm.size(), inner);
@@ -97,6 +97,15 @@ void EvenFieldSolver::number_unknowns(const std::optional<std::vector<double>>& 
     unknown_[at(c.vertex)] = centre_unknown_;
     held_[at(c.vertex)] = -c.turns_before;
   }
+  for (std::size_t f = 0; levels && f < domain.folds.size(); ++f) {
+    for (const std::size_t end : {0, 1}) {
+      const auto& fold = domain.folds[f];
+      const Index core = end == 0 ? fold.front() : fold.back(), beside = end == 0 ? fold[1] : fold[fold.size() - 2];
+      unknown_[at(core)] = unknown_[at(beside)] = -1;
+      held_[at(core)] = domain.theta.vertex[at(core)] + levels->folds[f][end];
+      held_[at(beside)] = domain.theta.vertex[at(beside)] + levels->folds[f][end] + 1.0;
+    }
+  }
   for (std::size_t v = 0; v < unknown_.size(); ++v) {
     if (unknown_[v] == inner) {
       unknown_[v] = unknown_count_++;
@@ -104,10 +113,10 @@ void EvenFieldSolver::number_unknowns(const std::optional<std::vector<double>>& 
     }
   }
   for (std::size_t i = 0; i < domain.floating.size(); ++i) {
-    const int tied = float_levels ? -1 : unknown_count_++;
+    const int tied = levels ? -1 : unknown_count_++;
     for (Index v : domain.floating[i].vertices) {
       unknown_[at(v)] = tied;
-      held_[at(v)] = domain.theta.vertex[at(v)] + (float_levels ? (*float_levels)[i] : 0.0);
+      held_[at(v)] = domain.theta.vertex[at(v)] + (levels ? levels->floating[i] : 0.0);
     }
   }
   std::vector<char> is_free(unknown_.size(), 0);
@@ -186,18 +195,20 @@ Result<void> EvenFieldSolver::stiffen(std::span<const double> bend_gain) {
 
 Result<SparseSolver> EvenFieldSolver::factor(const EvenDomain& domain, const IntervalRule& rule,
                                              const EvenFieldOptions& options) {
-  auto solver = build(domain, rule, options, std::vector<double>(domain.floating.size(), 0.0));
+  auto solver = build(domain, rule, options,
+                      HeldLevels{std::vector<double>(domain.floating.size(), 0.0),
+                                 std::vector<std::array<double, 2>>(domain.folds.size())});
   if (!solver) return tl::unexpected(solver.error());
   return std::move(*solver->solver_);
 }
 
 Result<EvenFieldSolver> EvenFieldSolver::build(const EvenDomain& domain, const IntervalRule& rule,
-                                               const EvenFieldOptions& options,
-                                               const std::optional<std::vector<double>>& float_levels,
+                                               const EvenFieldOptions& options, const std::optional<HeldLevels>& levels,
                                                std::optional<SparseSolver> ready) {
-  VOLUTE_CHECK(!float_levels || float_levels->size() == domain.floating.size(), domain.floating.size());
+  VOLUTE_CHECK(!levels || levels->floating.size() == domain.floating.size(), domain.floating.size());
+  VOLUTE_CHECK(!levels || levels->folds.size() == domain.folds.size(), domain.folds.size());
   EvenFieldSolver out(domain, rule, options);
-  out.number_unknowns(float_levels);
+  out.number_unknowns(levels);
   out.weigh();
   const SparseMatrix matrix = out.assemble(std::vector<double>(domain.mesh.vertices_mm.size(), 1.0));
   out.solver_ = std::move(ready);

@@ -12,6 +12,12 @@
 
 namespace volute::planner {
 
+/// Whole values of phi - theta that hold the field to the path's levels.
+struct HeldLevels {
+  std::vector<double> floating;              ///< on each floating hole
+  std::vector<std::array<double, 2>> folds;  ///< at either end of each fold
+};
+
 /// Weights of the field's optimisation. The defaults hold for every part; they are dimensionless.
 struct EvenFieldOptions {
   double bend = 1.0;         ///< cost of |Laplacian|^2: higher gives rounder turns at the holes, and a longer path
@@ -40,17 +46,18 @@ struct EvenField {
 /// on either side, that is cos a, which is what either side's own gradient has along the bisector.
 class EvenFieldSolver {
  public:
-  /// `float_levels`: the value of phi - theta held on each floating hole; nothing: constant there, but free.
+  /// `levels`: the values of phi - theta held; nothing: constant on each floating hole, but free.
   /// Errors: as SparseSolver::factor.
-  /// `ready`: what factor() gave for this domain; requires float levels.
+  /// `ready`: what factor() gave for this domain; requires levels.
   static Result<EvenFieldSolver> build(const EvenDomain& domain, const IntervalRule& rule,
-                                       const EvenFieldOptions& options,
-                                       const std::optional<std::vector<double>>& float_levels,
+                                       const EvenFieldOptions& options, const std::optional<HeldLevels>& levels,
                                        std::optional<SparseSolver> ready = std::nullopt);
-  /// The factor for held float levels, whatever they are, and whatever theta is turned by: it can be had before they
-  /// are known. Errors: as SparseSolver::factor.
+  /// The factor for held levels, whatever they are, and whatever theta is turned by: it can be had before they are
+  /// known. Errors: as SparseSolver::factor.
   static Result<SparseSolver> factor(const EvenDomain& domain, const IntervalRule& rule,
                                      const EvenFieldOptions& options);
+  /// The factor, for another solver of this domain with other levels held.
+  [[nodiscard]] SparseSolver factor() && { return std::move(*solver_); }
 
   /// Multiplies the cost of bending, vertex by vertex (1 each at first). Errors: as SparseSolver::factor.
   Result<void> stiffen(std::span<const double> bend_gain);
@@ -67,7 +74,7 @@ class EvenFieldSolver {
 
  private:
   EvenFieldSolver(const EvenDomain& domain, const IntervalRule& rule, const EvenFieldOptions& options);
-  void number_unknowns(const std::optional<std::vector<double>>& float_levels);
+  void number_unknowns(const std::optional<HeldLevels>& levels);
   void weigh();
   /// The matrix; constant_load_ too.
   [[nodiscard]] SparseMatrix assemble(std::span<const double> bend_gain);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "geometry/index.hpp"
+#include "planner/path/even_fold.hpp"
 #include "planner/path/even_nudge.hpp"
 #include "planner/path/even_prolong.hpp"
 #include "planner/path/even_rounding.hpp"
@@ -134,11 +136,24 @@ void find_corners(const CcPiece& piece, double interval_mm, EvenRound& round) {
   round.sharp_mm.insert(round.sharp_mm.end(), places.begin(), places.end());
 }
 
+/// Passes turn back sharply at the ends of folds: those corners are meant, and bending is not made dearer for them.
+void leave_out_folds(const EvenDomain& domain, double reach_mm, EvenRound& round) {
+  const auto before = static_cast<int>(round.sharp_mm.size());
+  std::erase_if(round.sharp_mm, [&](const Vec3& place) {
+    return std::any_of(domain.folds.begin(), domain.folds.end(), [&](const std::vector<Index>& fold) {
+      return (domain.mesh.vertices_mm[at(fold.front())] - place).norm() < reach_mm ||
+             (domain.mesh.vertices_mm[at(fold.back())] - place).norm() < reach_mm;
+    });
+  });
+  round.sharp_corners -= before - static_cast<int>(round.sharp_mm.size());
+}
+
 /// What of a round comes from its path: length, corners, scallops.
-ScallopMap measure_round(const IntervalRule& rule, ScallopMeter& meter, EvenRound& round) {
+ScallopMap measure_round(const EvenDomain& domain, const IntervalRule& rule, ScallopMeter& meter, EvenRound& round) {
   round.sharp_corners = 0;
   round.sharp_mm.clear();
   for (const CcPiece& piece : round.cc.pieces) find_corners(piece, rule.interval_mm(0.0), round);
+  leave_out_folds(domain, 1.5 * rule.interval_mm(0.0), round);
   round.length_mm = length_of(round.cc);
   const ScallopMap& map = meter.measure(round.cc);
   round.scallop = map.statistics;
@@ -164,7 +179,7 @@ ScallopMap nudged(const EvenDomain& domain, const IntervalRule& rule, int sharp_
       put_on_surface(domain, piece, nudge(piece, places, interval_mm, nudge_options));
       fill_bends(piece, interval_mm);
     }
-    now_map = measure_round(rule, meter, now);
+    now_map = measure_round(domain, rule, meter, now);
     if (left(now) >= left(best)) {
       ++failures;
       continue;
@@ -185,7 +200,7 @@ EvenRound trace_round(const EvenDomain& domain, const IntervalRule& rule, const 
     put_on_surface(domain, piece, round_corners(piece, rule.interval_mm(0.0)));
     fill_bends(piece, rule.interval_mm(0.0));
   }
-  ScallopMap map = measure_round(rule, meter, round);
+  ScallopMap map = measure_round(domain, rule, meter, round);
   if (round.path.pieces == 1) map = nudged(domain, rule, sharp_max, meter, std::move(map), round);
   worst = std::move(map.worst_ratio);
   return round;
@@ -219,6 +234,38 @@ Result<void> correct(const LoopContext& in, const EvenRound& round, const std::v
   return {};
 }
 
+/// The field with its levels held, and what goes on with it. Levels of folds are the first, among the nearest few, at
+/// which the field is one piece.
+Result<EvenFieldSolver> settled_solver(EvenDomain& domain, const IntervalRule& rule, const EvenLoopOptions& options,
+                                       EvenField& field, std::optional<SparseSolver> ready) {
+  constexpr std::size_t tries_max = 8;
+  constexpr int hopeful_tries = 5, hopeful_pieces = 3;  // after so many tries one has left no more pieces, or none will
+  int tries = 0, fewest = std::numeric_limits<int>::max();
+  HeldLevels levels = settled_levels(domain, field);
+  auto choices = fold_choices(domain, field);
+  choices.resize(std::min(choices.size(), tries_max));
+  const std::vector<double> gain(domain.mesh.triangles.size(), 1.0);
+  for (auto& choice : choices) {
+    levels.folds = std::move(choice);
+    auto solver = EvenFieldSolver::build(domain, rule, options.field, levels, std::move(ready));
+    if (!solver) return solver;
+    EvenField tried = field;
+    solver->improve(tried, gain, options.settle_outer, options.settle_inner);
+    if (!domain.folds.empty()) {
+      const int pieces = even_path(domain, tried, rule.interval_mm(0.0)).pieces;
+      fewest = std::min(fewest, pieces);
+      if (++tries == hopeful_tries && fewest > hopeful_pieces) break;
+      if (pieces != 1) {
+        ready = std::move(*solver).factor();
+        continue;
+      }
+    }
+    field = std::move(tried);
+    return solver;
+  }
+  return geometry::bad_input("path-even-broken", "with its folds the even spiral falls into pieces");
+}
+
 }  // namespace
 
 Result<FirstField> first_field(const EvenDomain& domain, const IntervalRule& rule, const EvenLoopOptions& options) {
@@ -242,12 +289,10 @@ Result<void> settle_first_field(const EvenDomain& domain, const IntervalRule& ru
 
 Result<EvenRound> even_rounds(EvenDomain& domain, EvenField field, const IntervalRule& rule,
                               const EvenLoopOptions& options, std::optional<SparseSolver> ready) {
-  const auto levels = settled_levels(domain, field);
-  auto solver = EvenFieldSolver::build(domain, rule, options.field, levels, std::move(ready));
-  if (!solver) return tl::unexpected(solver.error());
   Corrections made{std::vector<double>(domain.mesh.triangles.size(), 1.0),
                    std::vector<double>(domain.mesh.vertices_mm.size(), 1.0)};
-  solver->improve(field, made.gain, options.settle_outer, options.settle_inner);
+  auto solver = settled_solver(domain, rule, options, field, std::move(ready));
+  if (!solver) return tl::unexpected(solver.error());
   ScallopMeter meter(domain.mesh, domain.vertex_normals, rule.radius_mm, rule.scallop_mm,
                      {.exact_from_ratio = 0.9, .closer_from_ratio = 0.92});
   std::optional<EvenRound> best;

@@ -8,6 +8,7 @@
 #include "geometry/check.hpp"
 #include "geometry/index.hpp"
 #include "planner/path/even_ending.hpp"
+#include "planner/path/even_fold.hpp"
 #include "planner/path/even_prolong.hpp"
 #include "planner/path/level_trace.hpp"
 #include "planner/surface/edge_curve.hpp"
@@ -175,17 +176,38 @@ bool same_place(const CcPoint& a, const CcPoint& b) {
   return (a.point_P_mm - b.point_P_mm).norm() < same_point_mm;
 }
 
+/// Where folds have left rings, the first line runs them too, and they leave the list. Returns how many.
+int splice_rings(const EvenDomain& domain, const EvenField& field, double interval_mm, std::vector<LevelLine>& lines) {
+  constexpr double reach_intervals = 1.5;
+  int spliced = 0;
+  for (std::size_t i = 1; i < lines.size();) {
+    const LevelLine& ring = lines[i];
+    const bool lost =
+        ring.closed && mean_turn(field, ring) < field.turns - 1.0 && !is_ripple(domain, ring, interval_mm);
+    if (!lost || !splice(domain.mesh, ring, reach_intervals * interval_mm, lines.front())) {
+      ++i;
+      continue;
+    }
+    ++spliced;
+    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return spliced;
+}
+
 }  // namespace
 
 EvenPath even_path(const EvenDomain& domain, const EvenField& field, double interval_mm) {
   std::vector<double> winding(field.phi.size());
   for (std::size_t v = 0; v < winding.size(); ++v) winding[v] = field.phi[v] - domain.theta.vertex[v];
-  const auto lines = trace_levels(domain.mesh, domain.topology, {winding, domain.theta.jump}, 0.5);
+  const auto torn = torn_edges(domain);
+  auto lines =
+      joined_at_folds(domain, trace_levels(domain.mesh, domain.topology, {winding, domain.theta.jump, torn}, 0.5));
   EvenPath out;
   if (lines.empty() || lines.front().closed) {
     out.pieces = 0;
     return out;
   }
+  if (!domain.folds.empty()) out.splices = splice_rings(domain, field, interval_mm, lines);
   const LevelLine& main = lines.front();
   out.points = boundary_half_turn(domain, main.points.front());
   const double last_turn = append_spiral(domain, field, main, interval_mm, out);
@@ -209,6 +231,11 @@ CcPath cc_path_of(const EvenDomain& domain, const EvenPath& path) {
     point.turn = p.turn;
     if (!piece.points.empty() && same_place(piece.points.back(), point)) continue;
     piece.points.push_back(point);
+  }
+  // Between the ends of folds phi is no number of turns: there it stands still at the greatest so far.
+  if (!domain.folds.empty()) {
+    for (std::size_t i = 1; i < piece.points.size(); ++i)
+      piece.points[i].turn = std::max(piece.points[i].turn, piece.points[i - 1].turn);
   }
   CcPath out;
   out.pieces.push_back(std::move(piece));

@@ -26,6 +26,7 @@ struct EvenPath {
   std::vector<EvenPathPoint> points;
   std::vector<Vec3> ending_mm;  ///< behind `points`, near the surface: into the slit and along it
   double ending_turn = 0.0;     ///< phi at its end
+  int splices = 0;              ///< rings that folds left, run between two points of another pass
   int pieces = 1;               ///< 1, or how many chains the field fell into: then it is no spiral
 };
 

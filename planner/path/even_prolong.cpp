@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "geometry/index.hpp"
+#include "planner/path/even_fold.hpp"
 #include "planner/path/point_grid.hpp"
 
 namespace volute::planner {
@@ -135,25 +136,30 @@ CcPath on_surface(const EvenSurface& surface, const CcPath& path) {
   return out;
 }
 
-std::vector<double> settled_levels(EvenDomain& domain, const EvenField& field) {
-  std::vector<double> level;
+HeldLevels settled_levels(EvenDomain& domain, const EvenField& field) {
+  std::vector<double> level, whole;  // on floating holes; those and at the folds' ends
   for (const auto& loop : domain.floating) {
     double sum = 0.0;
     for (Index v : loop.vertices) sum += field.phi[at(v)] - domain.theta.vertex[at(v)];
     level.push_back(sum / static_cast<double>(loop.vertices.size()));
   }
+  whole = level;
+  for (const auto& fold : domain.folds) {
+    for (Index v : {fold.front(), fold.back()}) whole.push_back(field.phi[at(v)] - domain.theta.vertex[at(v)]);
+  }
   constexpr int shifts = 64;
   double best_shift = 0.0, least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < shifts && !level.empty(); ++i) {
+  for (int i = 0; i < shifts && !whole.empty(); ++i) {
     double off = 0.0;
-    for (double l : level) off += std::pow(std::remainder(l - level.front() + static_cast<double>(i) / shifts, 1.0), 2);
+    for (double l : whole) off += std::pow(std::remainder(l - whole.front() + static_cast<double>(i) / shifts, 1.0), 2);
     if (off >= least) continue;
     least = off;
-    best_shift = level.front() - static_cast<double>(i) / shifts;
+    best_shift = whole.front() - static_cast<double>(i) / shifts;
   }
   for (double& theta : domain.theta.vertex) theta += best_shift;
   for (double& l : level) l = std::round(l - best_shift);
-  return level;
+  return {std::move(level),
+          domain.folds.empty() ? std::vector<std::array<double, 2>>{} : fold_choices(domain, field).front()};
 }
 
 }  // namespace volute::planner

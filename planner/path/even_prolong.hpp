@@ -25,6 +25,6 @@ CcPath on_surface(const EvenSurface& surface, const CcPath& path);
 
 /// Turns theta by a constant so that phi - theta on the floating holes comes nearest to whole numbers, where path
 /// levels stand midway, and returns those whole numbers.
-std::vector<double> settled_levels(EvenDomain& domain, const EvenField& field);
+HeldLevels settled_levels(EvenDomain& domain, const EvenField& field);
 
 }  // namespace volute::planner

@@ -15,6 +15,7 @@
 #include "geometry/mesh_measure.hpp"
 #include "geometry/number_text.hpp"
 #include "planner/path/even_centre.hpp"
+#include "planner/path/even_fold.hpp"
 #include "planner/path/even_loop.hpp"
 #include "planner/path/even_prolong.hpp"
 #include "planner/path/path_measure.hpp"
@@ -130,13 +131,17 @@ Search with_bend(double bend) {
   return search;
 }
 
-/// Sharper bends; then sharper still, with creases, on meshes fine enough to see them.
-std::array<Search, 2> sharper_searches() {
+/// Sharper bends; then sharper still, with creases, on meshes fine enough to see them; then few corners again, but
+/// passes that turn back.
+std::vector<Search> searches_for_shorter(bool folds) {
   Search creased = with_bend(0.03);
   for (EvenFieldOptions* field : {&creased.centres.field, &creased.loop.first_field, &creased.loop.field})
     field->creases = true;
   creased.centres.triangles = 4000;
   creased.coarse_triangles = 16000;
+  Search folded;
+  folded.centres.folds_max = 12;
+  if (folds) return {with_bend(0.1), creased, folded};
   return {with_bend(0.1), creased};
 }
 
@@ -147,9 +152,19 @@ struct Finalist {
   EvenField field;
   double promised_mm = 0.0;
 };
+
+/// The domain with the centre's folds laid.
+Result<EvenDomain> folded_domain(const EvenSurface& surface, const Centre& centre, const IntervalRule& rule,
+                                 double ramp_share) {
+  auto domain = even_domain(surface, centre, ramp_share);
+  if (!domain) return domain;
+  if (auto laid = lay_folds(*domain, rule, centre.folds); !laid) return tl::unexpected(laid.error());
+  return domain;
+}
+
 Result<Finalist> finalist_of(const EvenSurface& coarse, const Centre& centre, const IntervalRule& rule,
                              double ramp_share, const EvenLoopOptions& loop) {
-  auto domain = even_domain(coarse, centre, ramp_share);
+  auto domain = folded_domain(coarse, centre, rule, ramp_share);
   if (!domain) return tl::unexpected(domain.error());
   auto first = first_field(*domain, rule, loop);
   if (!first) return tl::unexpected(first.error());
@@ -175,12 +190,13 @@ Result<std::vector<Finalist>> finalists_of(const EvenSurface& coarse, std::span<
 
 Result<Planned> planned_around(const EvenSurface& surface, const EvenSurface& coarse, Finalist& finalist,
                                const IntervalRule& rule, double ramp_share, const EvenLoopOptions& loop) {
+  const Centre centre = moved_centre(coarse, finalist.centre, surface);
   Result<void> settled;
   Result<EvenDomain> domain{};
   Result<SparseSolver> factor = geometry::bad_input("path-even-broken", "no domain");
   tbb::parallel_invoke([&] { settled = settle_first_field(finalist.domain, rule, loop, finalist.field); },
                        [&] {
-                         domain = even_domain(surface, moved_centre(coarse, finalist.centre, surface), ramp_share);
+                         domain = folded_domain(surface, centre, rule, ramp_share);
                          if (domain) factor = EvenFieldSolver::factor(*domain, rule, loop.field);
                        });
   if (!settled) return tl::unexpected(settled.error());
@@ -193,9 +209,10 @@ Result<Planned> planned_around(const EvenSurface& surface, const EvenSurface& co
 }
 
 /// The shortest first, then the one with the fewest arms (short arms on a small part leave no room for turns around
-/// their tips); of the longer search the two shortest.
+/// their tips); of the longer search the two shortest; all where there are folds, which may leave pieces.
 std::vector<std::size_t> tried_in_order(const std::vector<Finalist>& finalists, bool ridges) {
-  constexpr std::size_t tries_max = 2;
+  const bool folded = !finalists.front().centre.folds.empty();
+  const std::size_t tries_max = folded ? finalists.size() : 2;
   std::vector<std::size_t> order;
   const auto add = [&](std::size_t i) {
     if (i < finalists.size() && std::find(order.begin(), order.end(), i) == order.end()) order.push_back(i);
@@ -204,7 +221,7 @@ std::vector<std::size_t> tried_in_order(const std::vector<Finalist>& finalists, 
     return a.centre.arms.size() < b.centre.arms.size();
   });
   add(0);
-  if (!ridges) add(static_cast<std::size_t>(simplest - finalists.begin()));
+  if (!ridges && !folded) add(static_cast<std::size_t>(simplest - finalists.begin()));
   for (std::size_t i = 1; order.size() < std::min(tries_max, finalists.size()); ++i) add(i);
   return order;
 }
@@ -266,23 +283,28 @@ Result<Planned> planned_or_longer(Search search, const EvenSurface& surface, con
 }
 
 /// `rounder_mm`: length of the path with few corners, infinite where there is none.
-std::string sharper_note(const EvenRound& round, double rounder_mm) {
-  if (!std::isfinite(rounder_mm)) return "even: passes bend sharply: with few corners there is no path in one piece";
-  return "even: passes bend sharply: with few corners the path would be " +
-         geometry::short_text(100.0 * (rounder_mm / round.length_mm - 1.0), 2) + " % longer";
+std::string shorter_note(const Planned& planned, double rounder_mm) {
+  const std::size_t folds = planned.domain.folds.size() + static_cast<std::size_t>(planned.round.path.splices);
+  const std::string what =
+      folds == 0 ? "even: passes bend sharply: with few corners "
+                 : "even: passes turn back at " + std::to_string(2 * folds) +
+                       " places and run the other way between them (path.cut_direction forbids it): without that ";
+  if (!std::isfinite(rounder_mm)) return what + "there is no path in one piece";
+  return what + "the path would be " + geometry::short_text(100.0 * (rounder_mm / planned.round.length_mm - 1.0), 2) +
+         " % longer";
 }
 
-/// The usual search, and others with sharper bends as long as the path is long. The lightest path goes on.
+/// The usual search, and others with sharper bends and folds as long as the path is long. The lightest path goes on.
 Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options) {
   constexpr double shorter_by = 0.97;  // times the length: for less, sharper bends are not worth it
   auto planned = planned_or_longer({}, surface, rule, options);
   const double rounder_mm = planned ? planned->round.length_mm : std::numeric_limits<double>::infinity();
-  for (const Search& search : sharper_searches()) {
+  for (const Search& search : searches_for_shorter(options.cut_direction == CutDirection::any)) {
     if (planned && flat_ratio(planned->round, surface, rule) <= long_path) break;
     auto next = planned_or_longer(search, surface, rule, options);
     if (!next || (planned && weight(next->round) >= shorter_by * weight(planned->round))) continue;
     planned = std::move(next);
-    planned->note = sharper_note(planned->round, rounder_mm);
+    planned->note = shorter_note(*planned, rounder_mm);
   }
   return planned;
 }

@@ -31,7 +31,7 @@ class LevelWalker {
     std::vector<LevelLine> lines;
     // Open lines first, from the boundary edges where they come in; then what is left is closed.
     for (Index h = 0; h < static_cast<Index>(3 * mesh_.triangles.size()); ++h) {
-      if (topology_.opposite(h) != no_index) continue;
+      if (beyond(h) != no_index) continue;
       for (long level = cell(geometry::next_halfedge(h)) + 1; level <= cell(h); ++level)
         lines.push_back(walk(h, level));
     }
@@ -61,6 +61,13 @@ class LevelWalker {
     return cell(h) < level && cell(geometry::next_halfedge(h)) >= level;
   }
 
+  [[nodiscard]] Index beyond(Index h) const {
+    for (Index edge : values_.torn) {
+      if (topology_.edge(h) == edge) return no_index;
+    }
+    return topology_.opposite(h);
+  }
+
   [[nodiscard]] Index entry(Index triangle, long level) const {
     for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h) {
       if (falls(h, level)) return h;
@@ -88,6 +95,8 @@ class LevelWalker {
   LevelLine walk(Index h, long level) {
     LevelLine line;
     line.points.push_back(crossing(h, level));
+    line.from_halfedge = h;
+    line.from_level = level;
     while (true) {
       const Index triangle = h / 3;
       char& seen = seen_[first_[at(triangle)] + static_cast<std::size_t>(level - lowest_[at(triangle)])];
@@ -101,8 +110,12 @@ class LevelWalker {
       Index exit = geometry::next_halfedge(h);
       if (!rises(exit, level)) exit = geometry::next_halfedge(exit);
       line.points.push_back(crossing(exit, level));
-      h = topology_.opposite(exit);
-      if (h == no_index) break;
+      h = beyond(exit);
+      if (h == no_index) {
+        line.to_halfedge = exit;
+        line.to_level = level;
+        break;
+      }
       level += jump(exit) - jump(geometry::next_halfedge(h));
     }
     measure(line);

@@ -17,6 +17,9 @@ struct LevelLine {
       triangles;  ///< of each segment: triangles[i] lies between points i and i + 1 (closed: the last joins the first)
   bool closed = false;  ///< else it runs from boundary to boundary
   double length_mm = 0.0;
+  /// Open lines: the halfedges of first and last triangle where it comes in and leaves, and the level there.
+  Index from_halfedge = geometry::no_index, to_halfedge = geometry::no_index;
+  long from_level = 0, to_level = 0;
 };
 
 /// Values at the corners of triangles: vertex[triangles[t][k]] - jump[t][k], jumps being whole numbers that change only
@@ -24,6 +27,7 @@ struct LevelLine {
 struct CornerValues {
   std::span<const double> vertex;
   std::span<const std::array<double, 3>> jump;  ///< empty: none
+  std::span<const Index> torn = {};             ///< edges, by number, at which lines end as on a boundary
 };
 
 /// All level lines at the levels Z + offset, by falling length (ties: first triangle). Which edges are crossed is

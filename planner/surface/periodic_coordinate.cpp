@@ -58,6 +58,8 @@ std::vector<std::array<double, 3>> seam_jump(const MeshTopology& topology, std::
     VOLUTE_CHECK(found, seam[i], seam[i + 1]);
   }
   for (std::size_t i = 0; i < seam.size(); ++i) {
+    const bool at_end = i == 0 || i + 1 == seam.size();
+    if (at_end && !topology.is_boundary_vertex(seam[i])) continue;
     const auto outgoing = topology.outgoing(seam[i]);
     // Left of the seam: counter-clockwise from the edge that goes on (from the boundary at the last vertex)
     // to the edge that comes in (to the boundary at the first).

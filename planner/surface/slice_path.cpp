@@ -208,7 +208,8 @@ Result<SurfacePath> slice_path(const TriangleMesh& mesh, const MeshTopology& top
 }
 
 Result<SurfacePath> shortest_edge_path(const TriangleMesh& mesh, const MeshTopology& topology,
-                                       std::span<const Index> sources, std::span<const Index> targets) {
+                                       std::span<const Index> sources, std::span<const Index> targets,
+                                       const EdgeCost& cost) {
   const std::size_t count = mesh.vertices_mm.size();
   Distances distance(count, std::numeric_limits<double>::infinity());
   std::vector<Index> previous(count, no_index);
@@ -226,9 +227,10 @@ Result<SurfacePath> shortest_edge_path(const TriangleMesh& mesh, const MeshTopol
     if (is_target[static_cast<std::size_t>(v)]) return walk_back(v, previous);
     if (reached_mm > 0.0 && topology.is_boundary_vertex(v)) continue;  // a path may end on a boundary, not touch it
     for_neighbours(mesh, topology, v, [&](Index w) {
-      const double through_mm =
-          reached_mm +
-          (mesh.vertices_mm[static_cast<std::size_t>(w)] - mesh.vertices_mm[static_cast<std::size_t>(v)]).norm();
+      const double along_mm =
+          cost ? cost(v, w)
+               : (mesh.vertices_mm[static_cast<std::size_t>(w)] - mesh.vertices_mm[static_cast<std::size_t>(v)]).norm();
+      const double through_mm = reached_mm + along_mm;
       if (through_mm >= distance[static_cast<std::size_t>(w)]) return;
       distance[static_cast<std::size_t>(w)] = through_mm;
       previous[static_cast<std::size_t>(w)] = v;

@@ -1,6 +1,7 @@
 // Paths on the surface between two vertices: by a slicing plane ([Sun2016] 2.2), or along edges where slicing sticks.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,10 +23,14 @@ using geometry::Result;
 Result<SurfacePath> slice_path(const TriangleMesh& mesh, const geometry::MeshTopology& topology,
                                std::span<const Vec3> vertex_normals, Index from, Index to);
 
-/// The shortest chain of edges from any of `sources` to any of `targets` whose inner vertices are no boundary vertices
-/// (Dijkstra; ties by vertex number). Errors (bad_input): surface-no-path.
+/// What an edge from one vertex to another costs, mm; infinite: it is not taken. Requires: no less than 0.
+using EdgeCost = std::function<double(Index, Index)>;
+
+/// The shortest (or with `cost` the cheapest) chain of edges from any of `sources` to any of `targets` whose inner
+/// vertices are no boundary vertices (Dijkstra; ties by vertex number). Errors (bad_input): surface-no-path.
 Result<SurfacePath> shortest_edge_path(const TriangleMesh& mesh, const geometry::MeshTopology& topology,
-                                       std::span<const Index> sources, std::span<const Index> targets);
+                                       std::span<const Index> sources, std::span<const Index> targets,
+                                       const EdgeCost& cost = {});
 
 struct BridgePath {
   SurfacePath path;

@@ -265,7 +265,8 @@ TEST(EvenField, AFactorHadBeforeTheLevelsGivesTheSameField) {
   auto ready = EvenFieldSolver::factor(*domain, rule, {});
   ASSERT_TRUE(ready.has_value());
   for (double& theta : domain->theta.vertex) theta += 0.3;
-  const std::vector<double> levels{2.0}, gain(domain->mesh.triangles.size(), 1.0);
+  const HeldLevels levels{{2.0}, {}};
+  const std::vector<double> gain(domain->mesh.triangles.size(), 1.0);
   std::vector<EvenField> fields;
   for (const bool had : {false, true}) {
     const auto solver = EvenFieldSolver::build(*domain, rule, {}, levels,
