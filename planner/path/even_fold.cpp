@@ -245,6 +245,7 @@ std::vector<LevelLine> joined_at_folds(const EvenDomain& domain, std::vector<Lev
       backwards = next % 2 == 1;
     }
     chain.closed = true;
+    chain.triangles.push_back(chain.triangles.front());  // along the torn edge, back to the first point
     return chain;
   };
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -15,7 +15,6 @@ namespace volute::planner {
 /// What is held (boundaries, the collar of a slit) keeps its theta. Errors (bad_input): surface-no-path, fold-short
 /// (fewer than four edges), fold-near (two folds end within two intervals), fold-given (an end where phi is held); as
 /// SparseSolver::factor. Requires: no folds in the domain; ends are inner vertices.
-/// Properties: 1. The gradient of theta does not depend on the chains.
 Result<void> lay_folds(EvenDomain& domain, const IntervalRule& rule, std::span<const Fold> folds);
 
 /// Whole values of phi - theta at which the ends of the folds may be held, one pair a fold: combinations, the nearest

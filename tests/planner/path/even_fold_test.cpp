@@ -176,6 +176,38 @@ TEST(EvenFold, TheSearchKeepsWhatShortensThePath) {
   EXPECT_TRUE(found[1].centre.folds.empty());
 }
 
+// Held at equal levels, the two passes that are joined at either end are the same two: a ring. The path runs it all the
+// same, and what it runs is the ring, point by point.
+TEST(EvenFold, ARingBetweenTheEndsIsRunToo) {
+  const EvenSurface surface = lopsided_ring();
+  EvenDomain domain = domain_of(surface, around_hole(surface, true));
+  const EvenLoopOptions options;
+  auto first = first_field(domain, rule(), options);
+  ASSERT_TRUE(first.has_value());
+  EvenField field = std::move(first->field);
+  const double level = fold_choices(domain, field).front()[0][0];
+  const auto solver = EvenFieldSolver::build(domain, rule(), options.field, HeldLevels{{}, {{level, level}}});
+  ASSERT_TRUE(solver.has_value());
+  solver->improve(field, std::vector<double>(domain.mesh.triangles.size(), 1.0), 6, 20);
+  std::vector<double> winding(field.phi.size());
+  for (std::size_t v = 0; v < winding.size(); ++v) winding[v] = field.phi[v] - domain.theta.vertex[v];
+  const auto torn = torn_edges(domain);
+  const auto lines =
+      joined_at_folds(domain, trace_levels(domain.mesh, domain.topology, {winding, domain.theta.jump, torn}, 0.5));
+  std::size_t rings = 0, ring_points = 0;
+  for (const LevelLine& line : lines) {
+    EXPECT_EQ(line.triangles.size() + (line.closed ? 0 : 1), line.points.size());
+    if (!line.closed || line.length_mm < 10.0) continue;
+    ++rings;
+    ring_points += line.points.size();
+  }
+  ASSERT_EQ(rings, 1u);
+  const EvenPath path = even_path(domain, field, rule().interval_mm(0.0));
+  EXPECT_EQ(path.pieces, 1);
+  EXPECT_EQ(path.splices, 1);
+  EXPECT_GT(path.points.size(), ring_points);
+}
+
 // A ring of 5 mm and a straight pass 1 mm away from it become one line, no step of which is longer than the way across.
 TEST(EvenFold, ARingIsRunBetweenTwoPointsOfAPass) {
   samples::PlateOptions options;
