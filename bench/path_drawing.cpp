@@ -193,7 +193,7 @@ bool draw_path(const PathPicture& picture, const std::filesystem::path& file) {
   // Turns of `even` differ by more than one across a floating hole: its scallops are measured, not told from turns.
   const bool even = picture.result.report.method == "even";
   drawing.text(margin_px, 1,
-               even ? "distance to the next turn by number (another may lie between) over the allowed one:"
+               even ? "distance to the next turn by number (another may lie between; grey: none has it) over the allowed one:"
                     : "distance to the next turn over the allowed one:");
   for (std::size_t k = 0; k < shades.size(); ++k) {
     const double x = margin_px + 260.0 * static_cast<double>(k);
