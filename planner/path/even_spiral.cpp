@@ -132,17 +132,18 @@ Search with_bend(double bend) {
 }
 
 /// Sharper bends; then sharper still, with creases, on meshes fine enough to see them; then few corners again, but
-/// passes that turn back.
+/// passes that turn back; then sharp bends and passes that turn back.
 std::vector<Search> searches_for_shorter(bool folds) {
   Search creased = with_bend(0.03);
   for (EvenFieldOptions* field : {&creased.centres.field, &creased.loop.first_field, &creased.loop.field})
     field->creases = true;
   creased.centres.triangles = 4000;
   creased.coarse_triangles = 16000;
-  Search folded;
-  folded.centres.folds_max = 12;
-  if (folds) return {with_bend(0.1), creased, folded};
-  return {with_bend(0.1), creased};
+  if (!folds) return {with_bend(0.1), creased};
+  Search folded, both = with_bend(0.1);
+  both.centres.ridges = true;
+  folded.centres.folds_max = both.centres.folds_max = 12;
+  return {with_bend(0.1), creased, folded, both};
 }
 
 /// A centre with its first field on the coarse mesh.
@@ -275,7 +276,7 @@ double flat_ratio(const EvenRound& round, const EvenSurface& surface, const Inte
 Result<Planned> planned_or_longer(Search search, const EvenSurface& surface, const IntervalRule& rule,
                                   const PathOptions& options) {
   auto planned = planned_by(search, surface, rule, options);
-  if (held(planned) || options.centre_loop > 0) return planned;
+  if (held(planned) || options.centre_loop > 0 || search.centres.ridges) return planned;
   search.centres.ridges = true;
   auto next = planned_by(search, surface, rule, options);
   if (next && (!planned || weight(next->round) < weight(planned->round))) return next;
@@ -296,10 +297,14 @@ std::string shorter_note(const Planned& planned, double rounder_mm) {
 
 /// The usual search, and others with sharper bends and folds as long as the path is long. The lightest path goes on.
 Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options) {
-  constexpr double shorter_by = 0.97;  // times the length: for less, sharper bends are not worth it
+  constexpr double shorter_by = 0.97;       // times the length: for less, sharper bends are not worth it
+  constexpr double folds_area_min = 600.0;  // square intervals: on smaller surfaces a path loses most at its ends
+  const double interval_mm = rule.interval_mm(0.0);
+  const bool folds = options.cut_direction == CutDirection::any &&
+                     geometry::area_mm2(surface.mesh) >= folds_area_min * interval_mm * interval_mm;
   auto planned = planned_or_longer({}, surface, rule, options);
   const double rounder_mm = planned ? planned->round.length_mm : std::numeric_limits<double>::infinity();
-  for (const Search& search : searches_for_shorter(options.cut_direction == CutDirection::any)) {
+  for (const Search& search : searches_for_shorter(folds)) {
     if (planned && flat_ratio(planned->round, surface, rule) <= long_path) break;
     auto next = planned_or_longer(search, surface, rule, options);
     if (!next || (planned && weight(next->round) >= shorter_by * weight(planned->round))) continue;
