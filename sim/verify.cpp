@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "geometry/number_text.hpp"
+#include "sim/controller/run_loop.hpp"
 #include "sim/read_back.hpp"
 #include "sim/run_watch.hpp"
 
@@ -72,6 +73,8 @@ class Stages {
 ProgramReader reader(const VerifyRequest& request) {
   ReaderOptions options;
   options.work_zero_machine_mm = kinematics::program_zero(request.profile.machine, request.setup, 0.0).head<3>().eval();
+  options.tool_length_mm = request.tool.gauge_length_mm;
+  options.start = zero_position(request.profile.machine);
   return {request.text, request.file_name, request.profile.machine, request.profile.control, options};
 }
 
@@ -128,17 +131,22 @@ void add_limit_findings(const VerifyRequest& request, const LimitPeaks& peaks, V
   }
 }
 
+/// One finding for each end that is passed, however often: the first place and the farthest.
 void add_travel_findings(const VerifyRequest& request, VerifyResult& result) {
-  for (const AxisLimitEvent& event : result.run.out_of_travel) {
-    const auto& axis = request.profile.machine.axes[static_cast<std::size_t>(event.axis)];
+  for (const TravelExcess& excess : result.run.out_of_travel) {
+    const auto& axis = request.profile.machine.axes[static_cast<std::size_t>(excess.axis)];
     const bool rotary = axis.kind == AxisKind::rotary;
     const double scale = rotary ? geometry::Angle::radians(1.0).degrees() : 1.0;
+    const char* unit = rotary ? " deg" : " mm";
     const std::string letter(1, axis.letter);
-    result.findings.push_back({"travel", event.line, event.time_s, letter, event.position * scale, event.limit * scale,
-                               "line " + std::to_string(event.line) + ": " + letter + " = " +
-                                   short_text(event.position * scale, 6) + (rotary ? " deg" : " mm") +
-                                   " is past its end at " + short_text(event.limit * scale, 6) + " of " +
-                                   request.profile.machine.name + "; move the part or the program zero"});
+    std::string text = "line " + std::to_string(excess.first_line) + ": " + letter + " passes its end at " +
+                       short_text(excess.limit * scale, 6) + unit + " of " + request.profile.machine.name + " by " +
+                       short_text(std::abs(excess.farthest - excess.limit) * scale, 4) + unit;
+    if (excess.times > 1 || excess.farthest_line != excess.first_line)
+      text += " at most (line " + std::to_string(excess.farthest_line) + ")";
+    if (excess.times > 1) text += ", " + std::to_string(excess.times) + " times";
+    result.findings.push_back({"travel", excess.first_line, excess.first_time_s, letter, excess.farthest * scale,
+                               excess.limit * scale, text + "; move the part or the program zero"});
   }
 }
 

@@ -30,11 +30,15 @@ struct SlowBlock {
   int axis = -1;
 };
 
-struct AxisLimitEvent {
-  std::int64_t line = 0;
-  double time_s = 0.0;
+/// An axis that leaves its travel at one end, over the whole run.
+struct TravelExcess {
   int axis = -1;
-  double position = 0.0, limit = 0.0;
+  double limit = 0.0;           ///< the end, mm or rad
+  std::int64_t first_line = 0;  ///< where it leaves first
+  double first_time_s = 0.0;
+  double farthest = 0.0;  ///< the position farthest beyond, mm or rad
+  std::int64_t farthest_line = 0;
+  std::int64_t times = 0;  ///< how often it leaves
 };
 
 struct RunReport {
@@ -49,7 +53,7 @@ struct RunReport {
   std::map<std::string, double> time_by_cause_s;  ///< feed acceleration corner block_time rotary_limit rapid dwell
   double contour_error_max_mm = 0.0;              ///< tip, servo against command
   std::vector<SlowBlock> worst_blocks;            ///< at most 20, by lost time
-  std::vector<AxisLimitEvent> out_of_travel;      ///< first block of each stretch
+  std::vector<TravelExcess> out_of_travel;        ///< in the order in which the ends were passed first
   std::vector<std::string> warnings;
 };
 

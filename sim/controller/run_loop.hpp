@@ -5,12 +5,16 @@
 
 namespace volute::sim {
 
+/// Where the axes stand at the machine's zero pose.
+inline AxisVector zero_position(const kinematics::Machine& machine) {
+  AxisVector q;
+  for (int i = 0; i < kinematics::axis_count; ++i) q[i] = machine.axes[static_cast<std::size_t>(i)].zero;
+  return q;
+}
+
 /// Where the axes stand before the program.
 inline AxisVector start_position(const ControlSetup& setup) {
-  if (setup.start) return *setup.start;
-  AxisVector q;
-  for (int i = 0; i < kinematics::axis_count; ++i) q[i] = setup.machine->axes[static_cast<std::size_t>(i)].zero;
-  return q;
+  return setup.start ? *setup.start : zero_position(*setup.machine);
 }
 
 /// Feeds `run` (with `Result<void> add(const MotionBlock&)` and `RunReport finish()`) with the whole program.

@@ -176,15 +176,29 @@ void RunStatistics::add_contour_error(const AxisSample& sample, const AxisVector
 
 void RunStatistics::check_travel(const AxisSample& sample) {
   constexpr double rounding = 1e-9;
-  constexpr std::size_t events_kept = 1000;
   for (int i = 0; i < axis_count; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const bool low = sample.position[i]<travel_min_[i] - rounding, high = sample.position[i]> travel_max_[i] + rounding;
-    if ((low || high) && !outside_[k] && report_.out_of_travel.size() < events_kept)
-      report_.out_of_travel.push_back(
-          {sample.line, sample.time_s, i, sample.position[i], low ? travel_min_[i] : travel_max_[i]});
+    const double position = sample.position[i];
+    const bool low = position<travel_min_[i] - rounding, high = position> travel_max_[i] + rounding;
+    if (low || high) {
+      const double end = low ? travel_min_[i] : travel_max_[i];
+      TravelExcess& excess = excess_at(i, end, sample);
+      if (!outside_[k]) ++excess.times;
+      if (std::abs(position - end) > std::abs(excess.farthest - end)) {
+        excess.farthest = position;
+        excess.farthest_line = sample.line;
+      }
+    }
     outside_[k] = low || high;
   }
+}
+
+TravelExcess& RunStatistics::excess_at(int axis, double end, const AxisSample& sample) {
+  auto& list = report_.out_of_travel;
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const TravelExcess& e) { return e.axis == axis && e.limit == end; });
+  if (found != list.end()) return *found;
+  return list.emplace_back(TravelExcess{axis, end, sample.line, sample.time_s, end, sample.line, 0});
 }
 
 RunReport RunStatistics::report() const {

@@ -35,6 +35,7 @@ class RunStatistics {
  private:
   void add_range(std::span<const AxisSample> samples);
   [[nodiscard]] bool add_range(const AxisVector& lowest, const AxisVector& highest);
+  TravelExcess& excess_at(int axis, double end, const AxisSample& sample);
   void warn_of_jerk(RunReport& report) const;
 
   const kinematics::Machine& machine_;

@@ -21,6 +21,7 @@ struct Reading {
         control(control_),
         options(options_) {
     state.work_zero_machine_mm = options.work_zero_machine_mm;
+    if (options.start) state.begin_at(*options.start);
   }
   Reading(const Reading&) = delete;
   Reading& operator=(const Reading&) = delete;

@@ -174,6 +174,14 @@ bool ValueReader::parameter_index(int& out) {
   return true;
 }
 
+namespace {
+/// LinuxCNC's named parameters that read a pin or an INI entry.
+bool system_name(std::string_view name) {
+  const std::string plain = plain_name(name);
+  return plain.starts_with("_hal[") || plain.starts_with("_ini[");
+}
+}  // namespace
+
 bool ValueReader::parameter(double& out) {
   const std::size_t column = at_++;
   skip_blanks();
@@ -182,7 +190,11 @@ bool ValueReader::parameter(double& out) {
     if (!name(text)) return false;
     const auto found = parameters_.named(text);
     if (!found)
-      return diagnosis_.fault(column, "program-parameter", "parameter " + in_quotes(text) + " has no value here");
+      return diagnosis_.fault(
+          column, "program-parameter",
+          "parameter " + in_quotes(text) + " has no value here: " +
+              (system_name(text) ? "only a running control has it; write the number in its place"
+                                 : "it was not set; set it above, or write the number in its place"));
     out = *found;
     return true;
   }

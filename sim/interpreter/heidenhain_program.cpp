@@ -52,7 +52,8 @@ bool HeidenhainProgram::statement() {
   const std::size_t column = at_;
   const std::string text = name();
   return unknown(column, text.empty() ? in_quotes(line_.substr(column, 1)) : text,
-                 "this block is not known to the simulator's Heidenhain dialect");
+                 "this block is not known to the simulator's Heidenhain dialect; take it out, or choose the profile "
+                 "that the program was written for");
 }
 
 bool HeidenhainProgram::begin_program() {

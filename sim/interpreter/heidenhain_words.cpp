@@ -72,7 +72,8 @@ bool HeidenhainProgram::words(bool straight) {
 bool HeidenhainProgram::word(bool straight) {
   const std::size_t column = at_;
   if (!is_letter(line_[at_]))
-    return fault(column, "program-syntax", in_quotes(line_.substr(at_, 1)) + " does not begin a word");
+    return fault(column, "program-syntax",
+                 in_quotes(line_.substr(at_, 1)) + " does not begin a word; a word is a letter with a number");
   // One letter with a number behind it is by far the most frequent word.
   const char first = upper_case(line_[at_]);
   if (at_ + 1 < line_.size() && !is_letter(line_[at_ + 1])) {

@@ -25,6 +25,24 @@ MotionState::MotionState(const kinematics::Machine& machine, const kinematics::C
   }
 }
 
+void MotionState::begin_at(const kinematics::AxisVector& machine) {
+  for (std::size_t i = 0; i < start_.size(); ++i) start_[i] = machine[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < 3; ++i)
+    start_[i] = work_zero_machine_mm ? std::optional(*start_[i] - (*work_zero_machine_mm)[static_cast<Eigen::Index>(i)])
+                                     : std::nullopt;
+}
+
+void MotionState::forget_linear() {
+  known_ = {};
+  for (std::size_t i = 0; i < 3; ++i) start_[i].reset();
+}
+
+void MotionState::forget_rotary() {
+  rotary_known_ = {};
+  start_[3].reset();
+  start_[4].reset();
+}
+
 bool MotionState::plain_way_is_short(int axis, double target_rad) const {
   const auto i = static_cast<std::size_t>(axis);
   const double target = target_rad + shift.rotary_rad[i];
@@ -87,6 +105,7 @@ void MotionState::place_machine(const MoveWords& words, MotionBlock& out) {
   for (std::size_t i = 0; i < 3; ++i) {
     out.xyz_programmed[i] = has(words.linear, i);
     if (!out.xyz_programmed[i]) continue;
+    start_[i].reset();
     out.xyz_mm[static_cast<Eigen::Index>(i)] = words.linear_mm[i];
     out.xyz_known[i] = true;
     known_[i] = work_zero_machine_mm && !standing.tool_length_active;
@@ -103,6 +122,7 @@ bool MotionState::place_linear(const MoveWords& words, MotionBlock& out) {
     const auto axis = static_cast<Eigen::Index>(i);
     if (has(words.linear, i)) {
       out.xyz_programmed[i] = true;
+      start_[i].reset();
       const double value = words.linear_mm[i];
       if (!has(words.linear_incremental, i)) {
         const double target = value + shift.linear_mm[axis];
@@ -126,13 +146,14 @@ bool MotionState::place_linear(const MoveWords& words, MotionBlock& out) {
 void MotionState::place_rotary(const MoveWords& words, MotionBlock& out) {
   if (words.axis_vector) {
     out.axis_vector = words.axis_vector;
-    rotary_known_ = {};
+    forget_rotary();
     return;
   }
   const bool shortest = (shortest_way_ || words.rotary_shortest) && !words.machine_coordinates;
   for (std::size_t i = 0; i < 2; ++i) {
     if (has(words.rotary, i)) {
       out.rotary_programmed[i] = true;
+      start_[3 + i].reset();
       if (!has(words.rotary_incremental, i)) {
         // By the short way the turn that is reached depends on where the axis stood.
         const bool turn_known = !shortest || plain_way_is_short(static_cast<int>(i), words.rotary_rad[i]);

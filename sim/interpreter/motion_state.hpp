@@ -66,9 +66,11 @@ class MotionState {
   void set_feed_mode(FeedMode mode);
   void set_tcp(bool on);
   void set_tool_length(bool active);
+  /// The axes stand here (machine coordinates) before the first block; of use while the text says nothing of an axis.
+  void begin_at(const kinematics::AxisVector& machine);
   /// Forgets where the linear axes stand in the program's coordinates.
-  void forget_linear() { known_ = {}; }
-  void forget_rotary() { rotary_known_ = {}; }
+  void forget_linear();
+  void forget_rotary();
 
   /// A rapid or a line. False: a fault (no feed, axis that is unknown ...).
   bool line(MotionKind kind, const MoveWords& words, std::size_t column, MotionBlock& out);
@@ -79,7 +81,10 @@ class MotionState {
   /// Where the axes stand in the setup's program coordinates, when the text tells.
   [[nodiscard]] std::optional<double> linear_mm(int axis) const;
   [[nodiscard]] std::optional<double> rotary_rad(int axis) const;
-  /// The same in the program's own coordinates.
+  /// Where an axis (0 to 4, setup's program coordinates) stands that no block has moved: nothing when one has, when the
+  /// coordinates have changed since, or when the start is not known.
+  [[nodiscard]] std::optional<double> start_of(int axis) const { return start_[static_cast<std::size_t>(axis)]; }
+  /// linear_mm and rotary_rad in the program's own coordinates.
   [[nodiscard]] std::optional<double> program_linear_mm(int axis) const;
   [[nodiscard]] std::optional<double> program_rotary_rad(int axis) const;
   /// True when the way to `target_rad` (program coordinates) is at most half a turn from wherever the axis may stand:
@@ -105,6 +110,7 @@ class MotionState {
   std::array<bool, 3> known_{};
   std::array<double, 2> rotary_{};
   std::array<bool, 2> rotary_known_{};
+  std::array<std::optional<double>, 5> start_;  ///< as start_of
 };
 
 }  // namespace volute::sim

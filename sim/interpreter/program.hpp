@@ -12,6 +12,7 @@
 #include "geometry/result.hpp"
 #include "geometry/vector.hpp"
 #include "kinematics/model/control.hpp"
+#include "kinematics/model/machine.hpp"
 
 namespace volute::sim {
 
@@ -69,6 +70,11 @@ struct ReaderOptions {
   /// with length 0). With it G10 L2, which gives a work offset in machine coordinates, can be read; without it such a
   /// block is refused.
   std::optional<Vec3> work_zero_machine_mm;
+  /// The length of the job's tool, gauge line to tip. With it LinuxCNC's G43.1, which names a length, can be read.
+  std::optional<double> tool_length_mm;
+  /// Machine coordinates of X Y Z and the two rotaries where the run begins. With it G92 can give a value to an axis
+  /// that the program has not moved yet.
+  std::optional<kinematics::AxisVector> start;
 };
 
 /// Reads a program block by block; memory does not grow with the program (subprograms and loops hold the text).

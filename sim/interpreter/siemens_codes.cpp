@@ -91,7 +91,9 @@ bool SiemensProgram::mode_code(int number, std::size_t column) {
         column, "program-unknown-code",
         "G" + std::to_string(number) + ": cutter radius compensation is not read: let the CAM system compensate");
   return fault(column, "program-unknown-code",
-               "G" + std::to_string(number) + ": this G code is not known to the simulator's Siemens dialect");
+               "G" + std::to_string(number) +
+                   ": this G code is not known to the simulator's Siemens dialect; take it out, or choose the profile "
+                   "that the program was written for");
 }
 
 bool SiemensProgram::m_code(double value, std::size_t column) {
@@ -124,7 +126,9 @@ bool SiemensProgram::m_code(double value, std::size_t column) {
   }
   if (in(number, {1, 7, 8, 9, 19}) || (number >= 40 && number <= 45)) return true;
   return fault(column, "program-unknown-code",
-               "M" + std::to_string(number) + ": this M code is not known to the simulator's Siemens dialect");
+               "M" + std::to_string(number) +
+                   ": this M code is not known to the simulator's Siemens dialect; take it out, or choose the profile "
+                   "that the program was written for");
 }
 
 bool SiemensProgram::tool_number(double number, std::size_t column) {
@@ -178,7 +182,9 @@ bool SiemensProgram::keyword(const std::string& name, std::size_t column) {
   if (is({"IF", "ELSE", "ENDIF", "WHILE", "ENDWHILE", "FOR", "ENDFOR", "LOOP", "ENDLOOP", "REPEAT", "UNTIL", "GOTO",
           "GOTOF", "GOTOB", "GOTOS", "PROC", "DEF", "EXTERN", "CALL"}))
     return unknown(column, name, "jumps, loops, definitions and subprograms are not read; post the motions themselves");
-  return unknown(column, name, "this word is not known to the simulator's Siemens dialect");
+  return unknown(column, name,
+                 "this word is not known to the simulator's Siemens dialect; take it out, or choose the profile that "
+                 "the program was written for");
 }
 
 }  // namespace volute::sim

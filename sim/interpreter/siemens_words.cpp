@@ -34,7 +34,7 @@ bool SiemensProgram::words(std::string_view line, std::size_t at) {
 bool SiemensProgram::word(std::string_view line, std::size_t& at) {
   const std::size_t column = at;
   if (!in_name(line[at]))
-    return fault(column, "program-syntax", in_quotes(line.substr(at, 1)) + " does not begin a word");
+    return fault(column, "program-syntax", in_quotes(line.substr(at, 1)) + " does not begin a word; take it out");
   // A single letter with a number (X10, G1, R1 = ...), or a name (TRAORI, CR=, CYCLE832(...), A3=).
   std::size_t end = at + 1;
   const bool short_address = end >= line.size() || !in_name(line[end]);
@@ -209,7 +209,9 @@ bool SiemensProgram::assignment(std::string_view line, std::size_t& at, const st
   }
   if (name == "A2" || name == "B2" || name == "C2")
     return unknown(column, name, "Euler and RPY angles are not read; post A3 B3 C3 or axis positions");
-  return unknown(column, name, "this word is not known to the simulator's Siemens dialect");
+  return unknown(column, name,
+                 "this word is not known to the simulator's Siemens dialect; take it out, or choose the profile that "
+                 "the program was written for");
 }
 
 bool SiemensProgram::indexed(const std::string& name, std::size_t column) {

@@ -74,8 +74,13 @@ bool WordProgram::apply_g(Code code) {
     case 890:
       return begin_cycle(code) && move(MotionMode::cycle);
     case 921:
-    case 922:
       return linuxcnc_ ? one_shot(code, OneShot::clear_shift) : refuse_g(code);
+    case 922:
+      return linuxcnc_ ? one_shot(code, OneShot::suspend_shift) : refuse_g(code);
+    case 923:
+      return linuxcnc_ ? one_shot(code, OneShot::restore_shift) : refuse_g(code);
+    case 431:
+      return linuxcnc_ ? one_shot(code, OneShot::tool_offset) && set_group(code, group_length) : refuse_g(code);
     case 40:
       return one_shot(code, OneShot::dwell);
     case 100:
@@ -191,6 +196,7 @@ bool WordProgram::switch_tcp(Code code, bool on) {
   if (on && !reading_.control.tcp)
     return fault(code.column, "program-no-tcp",
                  "the program switches TCP on, but this control has none; choose a profile whose control has it");
+  if (on && !refuse_tcp_with_offset(code.column)) return false;
   state_.set_tcp(on);
   return true;
 }
@@ -201,6 +207,8 @@ bool WordProgram::apply_length(Code code) {
   switch (code.tenths) {
     case 430:
       block_.use('H');
+      tool_offset_mm_.setZero();
+      update_shift();
       state_.set_tool_length(true);
       return set_group(code, group_length);
     case 434:
@@ -223,6 +231,8 @@ bool WordProgram::apply_length(Code code) {
     case 490:
       block_.use('H');
       vector_words_ = false;
+      tool_offset_mm_.setZero();
+      update_shift();
       state_.set_tool_length(false);
       if (!linuxcnc_) state_.set_tcp(false);
       return set_group(code, group_length);
@@ -275,6 +285,11 @@ bool WordProgram::apply_path_mode(Code code) {
   }
 }
 
+std::string WordProgram::unknown_code(const char* letter) const {
+  return std::string("this ") + letter + " code is not known to the control \"" + reading_.control.name +
+         "\"; take it out, or choose the profile that the program was written for";
+}
+
 bool WordProgram::refuse_g(Code code) {
   struct Reason {
     int tenths;
@@ -302,7 +317,7 @@ bool WordProgram::refuse_g(Code code) {
       Reason{531, "tilted working planes are not read: post with TCP"},
       Reason{533, "tilted working planes are not read: post with TCP"},
       Reason{536, "tilted working planes are not read: post with TCP"},
-      Reason{431, "a tool length in the program contradicts the tool of the job; use G43"},
+      Reason{431, "tool length along the tool's axis (G43.1) is not read: post with TCP (G43.4)"},
       Reason{740, "tapping is not read"},
       Reason{840, "tapping is not read"},
       Reason{760, "fine boring and threading cycles are not read"},
@@ -310,12 +325,11 @@ bool WordProgram::refuse_g(Code code) {
       Reason{880, "manual boring is not read"},
       Reason{1410, "this control's dialect has no G141"},
   };
-  ;
   const auto* found =
       std::find_if(reasons.begin(), reasons.end(), [&](const Reason& r) { return r.tenths == code.tenths; });
-  return fault(code.column, "program-unknown-code",
-               code_name('G', code.tenths) + ": " +
-                   (found != reasons.end() ? found->text : "this G code is not known to this control's dialect"));
+  return fault(
+      code.column, "program-unknown-code",
+      code_name('G', code.tenths) + ": " + (found != reasons.end() ? std::string(found->text) : unknown_code("G")));
 }
 
 }  // namespace volute::sim

@@ -57,7 +57,8 @@ bool WordProgram::drill() {
   MoveWords place;
   axis_words(place);
   place.linear &= 3U;
-  if (place.rotary != 0) return fault(column, "program-cycle", "a rotary axis cannot turn in a drilling cycle");
+  if (place.rotary != 0)
+    return fault(column, "program-cycle", "a rotary axis cannot turn in a drilling cycle; turn it in a block above");
   if (!cycle_.initial_z_mm) cycle_.initial_z_mm = state_.program_linear_mm(2);
   const auto z = state_.program_linear_mm(2);
   if (!z || !cycle_.initial_z_mm)

@@ -18,7 +18,7 @@ bool WordLexer::skip_comments(std::string_view line, std::size_t& at) {
       ++at;
     } else if (c == '(') {
       const std::size_t close = line.find(')', at);
-      if (close == std::string_view::npos) return fault(at, "the comment has no \")\"");
+      if (close == std::string_view::npos) return fault(at, "the comment has no \")\"; close it on its line");
       if (style_.linuxcnc && line.substr(at + 1, close - at - 1).find('(') != std::string_view::npos)
         return fault(at, "a comment in a comment");
       at = close + 1;
@@ -74,7 +74,8 @@ bool WordLexer::word(std::string_view line, std::size_t& at, Block& block) {
   const std::size_t column = at;
   char c = line[at];
   if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  if (c < 'A' || c > 'Z') return fault(column, in_quotes(line.substr(at, 1)) + " does not begin a word");
+  if (c < 'A' || c > 'Z')
+    return fault(column, in_quotes(line.substr(at, 1)) + " does not begin a word; a word is a letter with a number");
   ++at;
   while (at < line.size() && blank(line[at])) ++at;
   bool point = false;
@@ -92,7 +93,8 @@ bool WordLexer::word(std::string_view line, std::size_t& at, Block& block) {
     at = reader.at();
     point = true;
   } else {
-    return fault(column, "the number is missing behind " + in_quotes(line.substr(column, 1)));
+    return fault(column, "the number is missing behind " + in_quotes(line.substr(column, 1)) +
+                             "; write it, or take the letter out");
   }
   if (c == 'G' || c == 'M') return code({0, static_cast<std::uint32_t>(column)}, value, c == 'G', block);
   const std::size_t i = Block::index(c);

@@ -52,8 +52,7 @@ bool WordProgram::apply_m_before(Code code) {
   bool known = false;
   if (!machine_m(code, known)) return false;
   if (known) return true;
-  return fault(code.column, "program-unknown-code",
-               code_name('M', code.tenths) + ": this M code is not known to this control");
+  return fault(code.column, "program-unknown-code", code_name('M', code.tenths) + ": " + unknown_code("M"));
 }
 
 bool WordProgram::machine_m(Code code, bool& known) {

@@ -158,9 +158,19 @@ bool WordProgram::run_one_shot() {
     case OneShot::second_reference:
       return reference(true);
     case OneShot::clear_shift:
+      saved_shift_ = position_shift_ = {};
+      update_shift();
+      return true;
+    case OneShot::suspend_shift:
       position_shift_ = {};
       update_shift();
       return true;
+    case OneShot::restore_shift:
+      position_shift_ = saved_shift_;
+      update_shift();
+      return true;
+    case OneShot::tool_offset:
+      return tool_offset();
     case OneShot::set_data:
       return set_data();
     case OneShot::shift_position:
@@ -209,85 +219,6 @@ bool WordProgram::reference(bool second) {
   home.rotary = by.any() ? by.rotary : 3U;
   home.machine_coordinates = true;
   return emit(state_.line(MotionKind::rapid, home, plan_.column, block), block);
-}
-
-void WordProgram::update_shift() {
-  static const Shift none;
-  const Shift& work =
-      work_system_ < static_cast<int>(work_.size()) ? work_[static_cast<std::size_t>(work_system_)] : none;
-  state_.shift.linear_mm = work.linear_mm + position_shift_.linear_mm;
-  for (std::size_t i = 0; i < 2; ++i) state_.shift.rotary_rad[i] = work.rotary_rad[i] + position_shift_.rotary_rad[i];
-}
-
-bool WordProgram::shift_position() {
-  const bool local = plan_.one_shot == OneShot::local_shift;
-  MoveWords words;
-  axis_words(words);
-  if (!words.any()) return fault(plan_.column, "program-syntax", "G92 and G52 need at least one axis word");
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    if (((words.linear >> i) & 1U) == 0) continue;
-    const auto now = state_.linear_mm(axis);
-    if (!local && !now)
-      return fault(plan_.column, "program-position-unknown",
-                   std::string("G92 gives the present position a value, but where ") + "XYZ"[i] +
-                       " stands is not known here; move it to a position first");
-    position_shift_.linear_mm[axis] =
-        local ? words.linear_mm[i]
-              : position_shift_.linear_mm[axis] + (*state_.program_linear_mm(axis) - words.linear_mm[i]);
-  }
-  for (int axis = 0; axis < 2; ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    if (((words.rotary >> i) & 1U) == 0) continue;
-    const auto now = state_.program_rotary_rad(axis);
-    if (!local && !now)
-      return fault(plan_.column, "program-position-unknown",
-                   std::string("G92 gives the present position a value, but where ") + state_.rotary_letter(axis) +
-                       " stands is not known here; move it to a position first");
-    position_shift_.rotary_rad[i] =
-        local ? words.rotary_rad[i] : position_shift_.rotary_rad[i] + (*now - words.rotary_rad[i]);
-  }
-  update_shift();
-  return true;
-}
-
-bool WordProgram::set_data() {
-  const auto refuse = [&](const std::string& text) { return fault(plan_.column, "program-set-data", text); };
-  if (!linuxcnc_) return refuse("G10 writes the control's own tables, which the setup gives here; take it out");
-  if (!block_.use('L') || !block_.use('P')) return refuse("G10 needs L and P");
-  const double kind = block_.value('L'), system = block_.value('P');
-  if (kind != 2.0 && kind != 20.0)
-    return refuse("G10 L" + geometry::short_text(kind) + " writes the tool table, which the job gives here");
-  if (system != std::floor(system) || system < 0.0 || system > 9.0)
-    return refuse("P of G10 is a whole number from 0 to 9");
-  if (kind == 2.0 && !reading_.options.work_zero_machine_mm)
-    return refuse(
-        "G10 L2 gives a work offset in machine coordinates; say where the setup stands on the machine, or take it out");
-  const auto which = static_cast<std::size_t>(system == 0.0 ? work_system_ : static_cast<int>(system));
-  MoveWords words;
-  axis_words(words);
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    if (((words.linear >> i) & 1U) == 0) continue;
-    const auto now = state_.linear_mm(axis);
-    if (kind == 20.0 && !now)
-      return refuse(std::string("G10 L20: where ") + "XYZ"[i] +
-                    " stands is not known here; move it to a position first");
-    work_[which].linear_mm[axis] = kind == 2.0 ? words.linear_mm[i] - (*reading_.options.work_zero_machine_mm)[axis]
-                                               : *now - position_shift_.linear_mm[axis] - words.linear_mm[i];
-  }
-  for (int axis = 0; axis < 2; ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    if (((words.rotary >> i) & 1U) == 0) continue;
-    const auto now = state_.rotary_rad(axis);
-    if (kind == 20.0 && !now)
-      return refuse(std::string("G10 L20: where ") + state_.rotary_letter(axis) +
-                    " stands is not known here; move it to a position first");
-    work_[which].rotary_rad[i] =
-        kind == 2.0 ? words.rotary_rad[i] : *now - position_shift_.rotary_rad[i] - words.rotary_rad[i];
-  }
-  update_shift();
-  return true;
 }
 
 }  // namespace volute::sim

@@ -35,7 +35,10 @@ class WordProgram final : public Dialect {
     machine_coordinates,
     shift_position,
     clear_shift,
-    local_shift
+    suspend_shift,
+    restore_shift,
+    local_shift,
+    tool_offset
   };
   /// What one block asks for.
   struct Plan {
@@ -74,6 +77,7 @@ class WordProgram final : public Dialect {
   bool apply_m_after(Code code);
   bool machine_m(Code code, bool& known);
   bool refuse_g(Code code);
+  [[nodiscard]] std::string unknown_code(const char* letter) const;
   bool switch_tcp(Code code, bool on);
   bool tool_change(Code code);
 
@@ -86,6 +90,9 @@ class WordProgram final : public Dialect {
   bool dwell();
   bool reference(bool second);
   bool shift_position();
+  std::optional<double> stands_at(int axis, const char* code);
+  bool tool_offset();
+  bool refuse_tcp_with_offset(std::size_t column);
   bool set_data();
   bool tool_axis(MoveWords& out);
   void update_shift();
@@ -123,8 +130,10 @@ class WordProgram final : public Dialect {
   bool return_to_r_ = false;  ///< G99: between holes Z returns to R, not to where it stood before
   int tool_prepared_ = 0;
   int work_system_ = 1;
-  std::array<Shift, 10> work_;  ///< 1 .. 9: G54 .. G59.3
-  Shift position_shift_;        ///< G92, G52
+  std::array<Shift, 10> work_;          ///< 1 .. 9: G54 .. G59.3
+  Shift position_shift_;                ///< G92, G52
+  Shift saved_shift_;                   ///< what G92.3 brings back
+  Vec3 tool_offset_mm_ = Vec3::Zero();  ///< G43.1: what the control's length has more than the tool's
   std::vector<int> tcp_on_m_, tcp_off_m_;
   std::vector<std::array<double, 2>> tcp_on_outputs_, tcp_off_outputs_;  ///< M68 E Q
 };

@@ -228,15 +228,26 @@ TEST(FiveAxis, ServoLagsByVelocityOverGain) {
   EXPECT_NEAR(run.report.contour_error_max_mm, 0.4 * 60.0 / 25.0 * std::sqrt(0.5), 2e-3);
 }
 
-TEST(FiveAxis, LeavingTheTravelIsReportedOnce) {
+TEST(FiveAxis, LeavingTheTravelIsReportedOnceForEachEnd) {
   auto machine = head_machine();
   machine.axes[0].travel_max = 40.0;
+  machine.axes[0].travel_min = -10.0;
   const Ran run =
-      run_blocks(machine, plain_control(), {line_to({60, 0, 0}, 50), line_to({0, 0, 0}, 50), line_to({0, 9, 0}, 50)});
-  ASSERT_EQ(run.report.out_of_travel.size(), 1U);
-  EXPECT_EQ(run.report.out_of_travel[0].line, 1);
-  EXPECT_EQ(run.report.out_of_travel[0].axis, 0);
-  EXPECT_NEAR(run.report.axes[0].position_max, 60.0, 0.02);
+      run_blocks(machine, plain_control(),
+                 {line_to({50, 0, 0}, 50), line_to({0, 0, 0}, 50), line_to({60, 0, 0}, 50), line_to({-20, 9, 0}, 50)});
+  ASSERT_EQ(run.report.out_of_travel.size(), 2U);
+  const TravelExcess &high = run.report.out_of_travel[0], &low = run.report.out_of_travel[1];
+  EXPECT_EQ(high.first_line, 1);
+  EXPECT_EQ(high.axis, 0);
+  EXPECT_EQ(high.limit, 40.0);
+  EXPECT_EQ(high.times, 2);
+  EXPECT_NEAR(high.farthest, 60.0, 0.02);
+  EXPECT_GE(high.farthest_line, 3);
+  EXPECT_EQ(low.limit, -10.0);
+  EXPECT_EQ(low.times, 1);
+  EXPECT_EQ(low.first_line, 4);
+  EXPECT_NEAR(low.farthest, -20.0, 0.02);
+  EXPECT_EQ(run.report.axes[0].position_max, high.farthest);
 }
 
 TEST(FiveAxis, SameProgramGivesTheSameSamples) {

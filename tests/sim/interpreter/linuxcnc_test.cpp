@@ -249,6 +249,47 @@ TEST(Linuxcnc, ShiftsOfZero) {
   EXPECT_DOUBLE_EQ(program.blocks[2].xyz_mm.y(), 1.0);
 }
 
+TEST(Linuxcnc, G92OfAnAxisThatHasNotMovedTakesTheStartAndSaysSo) {
+  const auto program =
+      read_with_tool("G92 X5 A30\nG0 X5 A31\nG92.2\nG0 X5\nG92.3\nG0 X5\nG92.1\nG92.3\nG0 X5\nM2\n", 0.0);
+  ASSERT_EQ(program.blocks.size(), 4U) << program.message();
+  EXPECT_DOUBLE_EQ(program.blocks[0].xyz_mm.x(), 0.0);
+  EXPECT_NEAR(program.blocks[0].rotary_rad[0], rad_per_deg, 1e-15);
+  EXPECT_DOUBLE_EQ(program.blocks[1].xyz_mm.x(), 5.0);
+  EXPECT_DOUBLE_EQ(program.blocks[2].xyz_mm.x(), 0.0);
+  EXPECT_DOUBLE_EQ(program.blocks[3].xyz_mm.x(), 5.0);
+  ASSERT_EQ(program.warnings.size(), 2U);
+  EXPECT_NE(program.warnings[1].find("G92 gives A a value before the program has moved it"), std::string::npos);
+  // What has moved to where the text does not tell is not at the start any more.
+  for (const char* text : {"G91 G0 X5\nG92 X5\nM2\n", "G0 X1\nG43\nG92 X5\nM2\n", "M428\nG92 X5\nM2\n"})
+    EXPECT_EQ(read_with_tool(text, 0.0).code(), "program-position-unknown") << text;
+}
+
+TEST(Linuxcnc, DynamicToolOffsetMovesTheTipByTheDifferenceToTheTool) {
+  const auto program = read_with_tool(
+      "G43\nG0 X10 Z20\nG43.1 Z50\nG0 Z30\nG43.1 X2\nG0 X11\nG43\nG0 X11 Z30\nG49\nG43.1 Z80\nG0 Z1\nM2\n", 80.0);
+  ASSERT_EQ(program.blocks.size(), 5U) << program.message();
+  EXPECT_DOUBLE_EQ(program.blocks[1].xyz_mm.z(), 30.0 + 50.0 - 80.0);
+  EXPECT_DOUBLE_EQ(program.blocks[1].xyz_mm.x(), 10.0);
+  EXPECT_DOUBLE_EQ(program.blocks[2].xyz_mm.x(), 13.0);
+  EXPECT_DOUBLE_EQ(program.blocks[2].xyz_mm.z(), 0.0);
+  EXPECT_DOUBLE_EQ(program.blocks[3].xyz_mm.z(), 30.0);
+  EXPECT_DOUBLE_EQ(program.blocks[4].xyz_mm.z(), 1.0);  // the tool's own length: as G43
+  EXPECT_TRUE(program.blocks[4].tool_length_active);
+  ASSERT_EQ(program.warnings.size(), 1U);
+  EXPECT_NE(program.warnings[0].find("X0 Y0 Z50 mm, the job's tool is 80 mm long"), std::string::npos);
+}
+
+TEST(Linuxcnc, DynamicToolOffsetIsRefusedWhereItWouldTurnAboutAnotherPoint) {
+  EXPECT_EQ(read_with_tool("G43.1 Z80\nM428\nG0 X1\nM2\n", 80.0).message(), "");
+  EXPECT_EQ(read_with_tool("G43.1 Z50\nM428\nM2\n", 80.0).code(), "program-tool-offset");
+  EXPECT_EQ(read_with_tool("G43\nM428\nG43.1 Z50\nM2\n", 80.0).code(), "program-tool-offset");
+  EXPECT_EQ(read_with_tool("G43.1\nM2\n", 80.0).code(), "program-syntax");
+  EXPECT_EQ(read_with_tool("G43.1 A5\nM2\n", 80.0).code(), "program-syntax");
+  EXPECT_EQ(read_with_tool("G43.1 Z5 G0 X4\nM2\n", 80.0).code(), "program-syntax");
+  EXPECT_EQ(linuxcnc("G43.1 Z5\nM2\n").code(), "program-tool-offset");
+}
+
 TEST(Linuxcnc, WorkOffsetsInMachineCoordinatesNeedTheSetup) {
   const std::string text = "G10 L2 P1 X100 Y0 Z0\nG0 X1 Y2\nM2\n";
   EXPECT_EQ(linuxcnc(text).code(), "program-set-data");

@@ -18,7 +18,7 @@ class ProgramWriter {
   explicit ProgramWriter(unsigned seed) : random_(seed) {}
 
   std::string write() {
-    out_ = "G21 G90 G94 G17 G40 G49 G80\nG0 X0 Y0 Z10 A0 C0\nG1 F100 X1\n";
+    out_ = "G21 G90 G94 G17 G40 G49 G80 G92.1\nG43.1 Z0\nG0 X0 Y0 Z10 A0 C0\nG1 F100 X1\n";
     for (int i = 0; i < 60; ++i) line();
     return out_ + "M2\n";
   }
@@ -78,9 +78,10 @@ class ProgramWriter {
     if (pick(4) == 0) out_ += " C" + fixed_text(number(90.0), 3);
   }
   void modes() {
-    switch (pick(9)) {
+    switch (pick(13)) {
       case 0:
-        out_ += pick(2) == 0 ? "G20" : "G21";
+        // rs274 without a control behind it takes an offset that is in force for one in the new unit.
+        out_ += std::string("G43.1 X0 Y0 Z0\n") + (pick(2) == 0 ? "G20" : "G21");
         break;
       case 1:
         incremental_ = pick(2) == 0;
@@ -103,6 +104,18 @@ class ProgramWriter {
         out_ += "G92.1";
         break;
       case 7:
+        out_ += pick(2) == 0 ? "G92.2" : "G92.3";
+        break;
+      case 8:
+        out_ += "G92 Y" + text(20.0) + " A" + text(90.0);
+        break;
+      case 9:
+        out_ += "G43.1 Z" + text(60.0);
+        break;
+      case 10:
+        out_ += "G43.1 X" + text(3.0) + " Y" + text(3.0);
+        break;
+      case 11:
         out_ += pick(2) == 0 ? "G61" : "G64 P0.01";
         break;
       default:

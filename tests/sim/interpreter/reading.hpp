@@ -69,4 +69,13 @@ inline Reading read(std::string_view text, kinematics::DialectFamily family, cha
   return read(text, machine_with(first, second), control_of(family));
 }
 
+/// For LinuxCNC, with a tool of that length and the axes at machine zero, where the program's zero is.
+inline Reading read_with_tool(std::string_view text, double tool_length_mm) {
+  ReaderOptions options;
+  options.work_zero_machine_mm = Vec3::Zero();
+  options.tool_length_mm = tool_length_mm;
+  options.start = kinematics::AxisVector::Zero();
+  return read(text, machine_with('A', 'C'), control_of(kinematics::DialectFamily::linuxcnc), options);
+}
+
 }  // namespace volute::sim::test
