@@ -32,6 +32,22 @@ kinematics::Machine machine() {
   return machine;
 }
 
+/// What every run has: that head, an S-curve control, a tool of 100 mm.
+struct Bench {
+  kinematics::Machine head = machine();
+  kinematics::Control control;
+  ControlSetup setup;
+
+  Bench() {
+    control.acceleration_profile = kinematics::AccelerationProfile::s_curve;
+    setup.machine = &head;
+    setup.control = &control;
+    setup.tool_length_mm = 100.0;
+  }
+  Bench(const Bench&) = delete;
+  Bench& operator=(const Bench&) = delete;
+};
+
 /// A five-axis spiral under TCP, `blocks` of `step_mm` at `feed_mm_s`.
 MotionSource spiral(std::int64_t blocks, double step_mm, double feed_mm_s) {
   return [=, phi = 0.0, k = std::int64_t{0}, block = MotionBlock()]() mutable -> Result<std::optional<MotionBlock>> {
@@ -67,13 +83,7 @@ std::vector<MotionBlock> turning_rapids(std::size_t count) {
 
 /// Nothing but rapids: what the search of their S-curves costs.
 void TurningRapids(benchmark::State& state) {
-  const kinematics::Machine bench_machine = machine();
-  kinematics::Control control;
-  control.acceleration_profile = kinematics::AccelerationProfile::s_curve;
-  ControlSetup setup;
-  setup.machine = &bench_machine;
-  setup.control = &control;
-  setup.tool_length_mm = 100.0;
+  const Bench bench;
   const std::vector<MotionBlock> blocks = turning_rapids(500);
   double simulated_s = 0.0;
   for (auto _ : state) {
@@ -81,23 +91,17 @@ void TurningRapids(benchmark::State& state) {
     const MotionSource source = [&]() -> Result<std::optional<MotionBlock>> {
       return next == blocks.size() ? std::nullopt : std::make_optional(blocks[next++]);
     };
-    simulated_s += run_motions(source, setup, {})->cycle_time_s;
+    simulated_s += run_motions(source, bench.setup, {})->cycle_time_s;
   }
   state.counters["times_real_time"] = benchmark::Counter(simulated_s, benchmark::Counter::kIsRate);
 }
 
 void run(benchmark::State& state, double step_mm, double feed_mm_s, std::int64_t blocks) {
-  const kinematics::Machine bench_machine = machine();
-  kinematics::Control control;
-  control.acceleration_profile = kinematics::AccelerationProfile::s_curve;
-  ControlSetup setup;
-  setup.machine = &bench_machine;
-  setup.control = &control;
-  setup.tool_length_mm = 100.0;
+  const Bench bench;
   double simulated_s = 0.0;
   std::int64_t done = 0;
   for (auto _ : state) {
-    const auto report = run_motions(spiral(blocks, step_mm, feed_mm_s), setup, {});
+    const auto report = run_motions(spiral(blocks, step_mm, feed_mm_s), bench.setup, {});
     simulated_s += report->cycle_time_s;
     done += report->blocks;
   }

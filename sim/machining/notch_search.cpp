@@ -6,6 +6,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "sim/machining/golden_section.hpp"
+
 namespace volute::sim {
 namespace {
 
@@ -104,27 +106,12 @@ class NotchSearch {
       if (found > best.depth_mm) best = {found, place, t, foot};
       return found;
     };
-    constexpr double golden = 0.6180339887498949;
-    double low = std::max(0.0, *in), high = length - std::max(0.0, *behind);
+    const double low = std::max(0.0, *in), high = length - std::max(0.0, *behind);
     if (low > high) return;
     depth(low);
     depth(high);
-    double s1 = high - golden * (high - low), s2 = low + golden * (high - low), d1 = depth(s1), d2 = depth(s2);
-    for (int i = 0; i < 30; ++i) {
-      if (d1 >= d2) {
-        high = s2;
-        s2 = s1;
-        d2 = d1;
-        s1 = high - golden * (high - low);
-        d1 = depth(s1);
-      } else {
-        low = s1;
-        s1 = s2;
-        d1 = d2;
-        s2 = low + golden * (high - low);
-        d2 = depth(s2);
-      }
-    }
+    const auto height = [&](double s) { return -depth(s); };
+    GoldenSection(height, low, high).narrow(30);
     take(best, out);
   }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/machining/golden_section.hpp"
+
 namespace volute::sim {
 namespace {
 
@@ -33,8 +35,6 @@ double bottom_crossing_mm(const SweptCutter::Near::Stand& stand, const Vec3& poi
   if (stand.rise <= level) return -std::numeric_limits<double>::infinity();
   return (stand.along_mm - point_mm.dot(stand.axis)) / stand.rise;
 }
-
-constexpr double golden = 0.6180339887498949;
 
 /// No lower than this is a convex function over [0, 1] with these values at 0, 1 - golden, golden and 1.
 double lowest_between(double f0, double f1, double f2, double f3) {
@@ -249,25 +249,11 @@ void SweptCutter::refine(std::int32_t place, double height_mm, const Vec3& point
     const auto height = [&](double share) {
       return line_entry_mm(profile_, between(a.cutter, b.cutter, share), point_mm, normal, none).value_or(none);
     };
-    double low = 0.0, high = 1.0, x1 = 1.0 - golden, x2 = golden, f1 = height(x1), f2 = height(x2);
-    const double f3 = height(1.0);
+    GoldenSection section(height, 0.0, 1.0);
+    const double f1 = section.first(), f2 = section.second(), f3 = height(1.0);
     if (best && std::max({f1, f2, f3}) < none && lowest_between(height_mm, f1, f2, f3) >= best->height_mm) continue;
-    for (int i = 0; i < 14; ++i) {
-      if (f1 <= f2) {
-        high = x2;
-        x2 = x1;
-        f2 = f1;
-        x1 = high - golden * (high - low);
-        f1 = height(x1);
-      } else {
-        low = x1;
-        x1 = x2;
-        f1 = f2;
-        x2 = low + golden * (high - low);
-        f2 = height(x2);
-      }
-    }
-    if (const double found = std::min(f1, f2); best && found < best->height_mm)
+    section.narrow(14);
+    if (const double found = section.least(); best && found < best->height_mm)
       best = SweptEntry{found, std::max(a.pose, b.pose)};
   }
 }

@@ -3,9 +3,34 @@
 #include <gtest/gtest.h>
 
 #include "shapes.hpp"
+#include "sim/machining/golden_section.hpp"
 
 namespace volute::sim {
 namespace {
+
+TEST(GoldenSection, NarrowsToTheLeastValueAndKeepsTheLowerOfEquals) {
+  std::mt19937_64 random(23);
+  std::uniform_real_distribution<> uniform(-2.0, 2.0);
+  for (int i = 0; i < cases(200); ++i) {
+    const double low = uniform(random), high = low + 0.5 + std::abs(uniform(random)), at = uniform(random);
+    int calls = 0;
+    const auto square = [&](double x) {
+      ++calls;
+      return (x - at) * (x - at);
+    };
+    GoldenSection section(square, low, high);
+    section.narrow(30);
+    EXPECT_EQ(calls, 32);
+    const double best = std::clamp(at, low, high), width = (high - low) * std::pow(golden, 30);
+    EXPECT_LE(section.least(), std::pow(std::abs(best - at) + width, 2)) << i;
+    EXPECT_GE(section.least(), std::pow(best - at, 2)) << i;
+  }
+  double last = 0.0;
+  const auto flat = [&](double x) { return last = x, 1.0; };
+  GoldenSection section(flat, 0.0, 1.0);
+  section.narrow(20);
+  EXPECT_LT(last, 1e-3);
+}
 
 TEST(CapsuleEntry, EqualsTheLeastOfManyBalls) {
   std::mt19937_64 random(21);
