@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/compared_path.hpp"
 #include "app/exit_status.hpp"
 #include "app/output_folder.hpp"
 #include "app/pipeline.hpp"
@@ -17,44 +18,35 @@ namespace {
 
 using geometry::fixed_text;
 using geometry::Result;
-using planner::Strategy;
 
-struct NamedStrategy {
-  const char* name;
-  Strategy strategy;
-};
-constexpr std::array<NamedStrategy, 5> all_strategies{{{"contour-parallel", Strategy::contour_parallel},
-                                                       {"projected-spiral", Strategy::projected_spiral},
-                                                       {"contour-offset", Strategy::contour_offset},
-                                                       {"iso-planar", Strategy::iso_planar},
-                                                       {"spiral", Strategy::spiral}}};
-/// What Table 2 compares.
-const std::vector<std::string> table_2_strategies{"contour-offset", "projected-spiral", "spiral"};
+/// What Table 2 compares: what CAM systems give with their axes, the same paths with the job's, and the spiral.
+const std::vector<std::string> table_2_paths{"contour-offset:normal", "projected-spiral:normal", "contour-offset",
+                                             "projected-spiral", "spiral"};
 
-Result<std::vector<NamedStrategy>> chosen(const std::vector<std::string>& names) {
-  std::vector<NamedStrategy> list;
-  for (const std::string& name : names.empty() ? table_2_strategies : names) {
-    const auto* found = std::find_if(all_strategies.begin(), all_strategies.end(),
-                                     [&](const NamedStrategy& s) { return name == s.name; });
-    if (found == all_strategies.end())
-      return geometry::bad_input(
-          "strategy-unknown",
-          "--strategies " + name +
-              ": is none of contour-parallel, projected-spiral, contour-offset, iso-planar, spiral");
-    list.push_back(*found);
+Result<std::vector<ComparedPath>> chosen(const std::vector<std::string>& names) {
+  std::vector<ComparedPath> list;
+  for (const std::string& name : names.empty() ? table_2_paths : names) {
+    auto path = compared_path(name);
+    if (!path) return tl::unexpected(path.error());
+    list.push_back(std::move(*path));
   }
   return list;
 }
 
-/// The columns of Table 2, and length and time. "loss %": of feed moves; "all %": over the whole machining time.
-const std::vector<std::string> table_heading{"rapids",    "lifts",       "links",  "corners", "uncut",
-                                             "length mm", "feed mm/min", "loss %", "all %",   "time s"};
+/// The columns of Table 2, and length and time. "loss %": of feed moves; "all %": over the whole machining time; "least
+/// %": the same if no jerk were limited.
+const std::vector<std::string> table_heading{"rapids",      "lifts",  "links", "corners", "uncut", "length mm",
+                                             "feed mm/min", "loss %", "all %", "least %", "time s"};
 
 std::vector<std::string> table_cells(const Json& row) {
   const Json& path = row["path"];
   const Json& run = row["run"];
   const bool uncut = row.contains("machining") && row["machining"]["uncut"].get<bool>();
   const auto count = [&](const char* key) { return std::to_string(path[key].get<int>()); };
+  constexpr const char* all = "machining_feed_loss_percent";
+  const auto loss = [&](const Json& of, const char* key) {
+    return of.contains(key) ? fixed_text(of[key].get<double>(), 2) : "-";
+  };
   return {count("rapid_traversals"),
           count("liftings"),
           count("linkings"),
@@ -62,19 +54,19 @@ std::vector<std::string> table_cells(const Json& row) {
           uncut ? "Y" : "N",
           fixed_text(path["length_mm"].get<double>(), 0),
           fixed_text(run["actual_feed_mm_min"].get<double>(), 1),
-          fixed_text(run["feed_loss_percent"].get<double>(), 2),
-          run.contains("machining_feed_loss_percent") ? fixed_text(run["machining_feed_loss_percent"].get<double>(), 2)
-                                                      : "-",
+          loss(run, "feed_loss_percent"),
+          loss(run, all),
+          run.contains("unlimited_jerk") ? loss(run["unlimited_jerk"], all) : "-",
           fixed_text(run["cycle_time_s"].get<double>(), 1)};
 }
 
-/// The strategy's part of the joint page.
-Result<view::ComparedRun> compared_run(const view::RunView& view, const NamedStrategy& strategy, const Json& report) {
-  view::ComparedRun run{strategy.name, view.findings.empty(), {}, table_cells(report), {}, {}};
+/// The path's part of the joint page.
+Result<view::ComparedRun> compared_run(const view::RunView& view, const ComparedPath& compared, const Json& report) {
+  view::ComparedRun run{compared.name, view.findings.empty(), {}, table_cells(report), {}, {}};
   run.verdict = view.findings.empty()
                     ? "The virtual machine found nothing wrong."
                     : std::to_string(view.findings.size()) + " findings. " + view.findings.front().text;
-  run.report_link = std::string(strategy.name) + "/report.html";
+  run.report_link = compared.folder + "/report.html";
   const view::PictureStyle style = view::panel_style(720, 540);
   if (auto added = view::add_panel(run.pictures, "path on the part", view::path_picture(view, style)); !added)
     return tl::unexpected(added.error());
@@ -89,9 +81,9 @@ Result<view::ComparedRun> compared_run(const view::RunView& view, const NamedStr
   return run;
 }
 
-Result<Json> run_strategy(JobInputs& inputs, const NamedStrategy& strategy, const OutputFolder& out,
-                          view::Comparison& page, Context& context) {
-  inputs.job.path.strategy = strategy.strategy;
+Result<Json> run_path(const JobInputs& given, const ComparedPath& compared, const OutputFolder& out,
+                      view::Comparison& page, Context& context) {
+  const JobInputs inputs = with_path(given, compared.strategy, compared.axis);
   const auto plan = plan_job(inputs, context.progress());
   if (!plan) return tl::unexpected(plan.error());
   const auto posted = post_job(inputs, *plan);
@@ -99,28 +91,28 @@ Result<Json> run_strategy(JobInputs& inputs, const NamedStrategy& strategy, cons
   const auto verified = verify_job(inputs, *plan, *posted, context.progress());
   if (!verified) return tl::unexpected(verified.error());
   const auto program =
-      out.write_program(inputs.job.name + "-" + strategy.name, inputs.profile.control.program_extension, posted->text,
+      out.write_program(inputs.job.name + "-" + compared.folder, inputs.profile.control.program_extension, posted->text,
                         verified->findings.empty());
   if (!program) return tl::unexpected(program.error());
-  Json report{{"strategy", strategy.name},
+  Json report{{"strategy", compared.name},
               {"program", {{"file", *program}, {"blocks", posted->blocks}, {"bytes", posted->text.size()}}}};
   report.update(plan_json(*plan));
   report.update(verify_json(*verified, inputs.profile, plan->orientation.interferences_after));
   put_machining_feed(report, plan->tool_path, *verified);
   view::RunView view = run_view(inputs, *plan, *posted, *verified);
-  view.title = inputs.job.name + ", " + strategy.name + ", on " + inputs.profile.name;
+  view.title = inputs.job.name + ", " + compared.name + ", on " + inputs.profile.name;
   view.program_name = *program;
   view.report_json = without_seconds(report).dump(2);
-  const auto folder = OutputFolder::make(out.file(strategy.name));
+  const auto folder = OutputFolder::make(out.file(compared.folder));
   if (!folder) return tl::unexpected(folder.error());
   if (auto written = folder->write("report.json", report.dump(2) + "\n"); !written)
     return tl::unexpected(written.error());
   if (auto pictures = view::write_pictures(view, folder->folder()); !pictures) return tl::unexpected(pictures.error());
   if (auto written = view::write_report_html(view, folder->file("report.html")); !written)
     return tl::unexpected(written.error());
-  auto compared = compared_run(view, strategy, report);
-  if (!compared) return tl::unexpected(compared.error());
-  page.runs.push_back(std::move(*compared));
+  auto run = compared_run(view, compared, report);
+  if (!run) return tl::unexpected(run.error());
+  page.runs.push_back(std::move(*run));
   return report;
 }
 
@@ -128,15 +120,17 @@ std::string column(const std::string& text, std::size_t width) {
   return std::string(text.size() < width ? width - text.size() : 0, ' ') + text;
 }
 
-constexpr std::array<std::size_t, 10> column_widths{8, 7, 7, 9, 7, 11, 13, 9, 9, 9};
+constexpr std::array<std::size_t, 11> column_widths{8, 7, 7, 9, 7, 11, 13, 9, 9, 9, 9};
+
+constexpr std::size_t name_width = 24;
 
 std::string table_2(const Json& rows) {
-  std::string text = "  strategy          ";
+  std::string text = "  path" + std::string(name_width - 4, ' ');
   for (std::size_t i = 0; i < table_heading.size(); ++i) text += column(table_heading[i], column_widths[i]);
   text += "\n";
   for (const Json& row : rows) {
     const std::string name = row["strategy"].get<std::string>();
-    text += "  " + name + std::string(name.size() < 18 ? 18 - name.size() : 1, ' ');
+    text += "  " + name + std::string(name.size() < name_width ? name_width - name.size() : 1, ' ');
     if (row.contains("error")) {
       text += "  " + row["error"].get<std::string>() + "\n";
       continue;
@@ -149,8 +143,8 @@ std::string table_2(const Json& rows) {
 }
 
 Result<int> compare(const CompareArguments& arguments, Context& context) {
-  const auto strategies = chosen(arguments.strategies);
-  if (!strategies) return tl::unexpected(strategies.error());
+  const auto paths = chosen(arguments.strategies);
+  if (!paths) return tl::unexpected(paths.error());
   auto inputs = load_inputs(arguments.job, context);
   if (!inputs) return tl::unexpected(inputs.error());
   context.warn(inputs->warnings);
@@ -158,11 +152,11 @@ Result<int> compare(const CompareArguments& arguments, Context& context) {
   if (!out) return tl::unexpected(out.error());
   Json rows = Json::array();
   view::Comparison page{inputs->job.name + " on " + inputs->profile.name + ": paths compared", table_heading, {}};
-  for (const NamedStrategy& strategy : *strategies) {
-    auto row = run_strategy(*inputs, strategy, *out, page, context);
+  for (const ComparedPath& compared : *paths) {
+    auto row = run_path(*inputs, compared, *out, page, context);
     if (!row && row.error().kind == geometry::ErrorKind::system) return tl::unexpected(row.error());
-    if (!row) page.runs.push_back({strategy.name, false, row.error().message, {}, {}, {}});
-    rows.push_back(row ? *row : Json{{"strategy", strategy.name}, {"error", row.error().message}});
+    if (!row) page.runs.push_back({compared.name, false, row.error().message, {}, {}, {}});
+    rows.push_back(row ? *row : Json{{"strategy", compared.name}, {"error", row.error().message}});
   }
   const Json report{{"job", inputs->job.name}, {"profile", inputs->profile.name}, {"strategies", rows}};
   if (auto written = out->write("comparison.json", report.dump(2) + "\n"); !written)

@@ -69,8 +69,11 @@ void add_job_commands(CLI::App& app, Places& places) {
       add_command(app, places.common, "compare", "One part, several strategies, one table (Table 2 of [Sun2016])");
   add_job_command(compare, places.compare.job, places.compare.out, out_text);
   compare
-      ->add_option("--strategies", places.compare.strategies,
-                   "Comma separated: spiral,contour-parallel,projected-spiral,contour-offset,iso-planar")
+      ->add_option(
+          "--strategies", places.compare.strategies,
+          "Comma separated: spiral,contour-parallel,projected-spiral,contour-offset,iso-planar; with :normal or "
+          ":tilted the axis stays along the surface normal or at the job's initial tilt to the feed, as CAM "
+          "systems leave it")
       ->delimiter(',');
   CLI::App* field = add_command(app, places.common, "field", "Orientation field from key axes ([Huang2016])");
   add_job_command(field, places.field.job, places.field.out, out_text);

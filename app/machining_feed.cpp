@@ -12,8 +12,14 @@ std::optional<MachiningFeed> machining_feed(const kinematics::ToolPath& path, co
     programmed_s += way_mm / point.feed_mm_s;
   }
   if (programmed_s <= 0.0 || !verified.machining_time_s || *verified.machining_time_s <= 0.0) return std::nullopt;
-  MachiningFeed feed{length_mm, length_mm / programmed_s, length_mm / *verified.machining_time_s, 0.0};
-  feed.loss_percent = 100.0 * (feed.actual_mm_s - feed.programmed_mm_s) / feed.programmed_mm_s;
+  const auto loss_percent = [&](double time_s) { return 100.0 * (programmed_s / time_s - 1.0); };
+  MachiningFeed feed{length_mm,
+                     length_mm / programmed_s,
+                     length_mm / *verified.machining_time_s,
+                     loss_percent(*verified.machining_time_s),
+                     {}};
+  if (verified.unlimited_jerk && verified.unlimited_jerk->machining_time_s.value_or(0.0) > 0.0)
+    feed.unlimited_jerk_loss_percent = loss_percent(*verified.unlimited_jerk->machining_time_s);
   return feed;
 }
 

@@ -16,6 +16,8 @@ struct MachiningFeed {
   double programmed_mm_s = 0.0;    ///< that length over the time that its feeds ask for it
   double actual_mm_s = 0.0;
   double loss_percent = 0.0;  ///< (actual - programmed) / programmed * 100
+  /// The same where no jerk is limited; nothing where the control limits none by itself.
+  std::optional<double> unlimited_jerk_loss_percent;
 };
 
 /// Nothing where the path cuts nothing or the run has no feed move.

@@ -116,6 +116,12 @@ Json run_json(const sim::RunReport& run, const kinematics::Machine& machine) {
   return json;
 }
 
+Json unlimited_jerk_json(const sim::UnlimitedJerkRun& run) {
+  Json json{{"cycle_time_s", run.cycle_time_s}, {"feed_loss_percent", run.feed_loss_percent}};
+  put_if(json, "machining_time_s", run.machining_time_s);
+  return json;
+}
+
 Json machining_json(const sim::CutSurfaceReport& cut) {
   return {{"samples", cut.samples},
           {"scallop_max_mm", cut.scallop_max_mm},
@@ -249,6 +255,8 @@ void put_machining_feed(Json& report, const kinematics::ToolPath& path, const si
   run["cutting_length_mm"] = feed->cutting_length_mm;
   run["machining_feed_mm_min"] = feed->actual_mm_s * per_minute;
   run["machining_feed_loss_percent"] = feed->loss_percent;
+  if (feed->unlimited_jerk_loss_percent)
+    run["unlimited_jerk"]["machining_feed_loss_percent"] = *feed->unlimited_jerk_loss_percent;
 }
 
 Json plan_json(const planner::PlanResult& plan) {
@@ -261,6 +269,7 @@ Json plan_json(const planner::PlanResult& plan) {
 Json verify_json(const sim::VerifyResult& result, const kinematics::Profile& profile, int planner_hits) {
   Json json{{"run", run_json(result.run, profile.machine)}};
   put_if(json["run"], "machining_time_s", result.machining_time_s);
+  if (result.unlimited_jerk) json["run"]["unlimited_jerk"] = unlimited_jerk_json(*result.unlimited_jerk);
   if (result.cut) json["machining"] = machining_json(*result.cut);
   if (result.stock) json["stock"] = stock_json(*result.stock);
   if (result.collision) json["collision"] = collision_json(*result.collision, planner_hits);

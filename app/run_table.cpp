@@ -1,6 +1,7 @@
 #include "app/run_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "geometry/number_text.hpp"
@@ -21,10 +22,20 @@ std::string number(const Json& object, const char* key, int decimals) {
 }
 
 std::string time_text(double seconds) {
-  const auto whole = static_cast<long>(seconds);
-  if (whole < 60) return fixed_text(seconds, 1) + " s";
-  const std::string rest = fixed_text(seconds - 60.0 * static_cast<double>(whole / 60), 0);
-  return std::to_string(whole / 60) + " min " + rest + " s";
+  if (seconds < 59.95) return fixed_text(seconds, 1) + " s";
+  const long whole = std::lround(seconds);
+  return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+}
+
+/// What the jerk limits add to the time, where that is worth a line.
+std::string unlimited_jerk_row(const Json& run) {
+  constexpr double told_from = 1.005;
+  if (!run.contains("unlimited_jerk")) return {};
+  const Json& free = run["unlimited_jerk"];
+  const double least_s = free["cycle_time_s"].get<double>();
+  if (run["cycle_time_s"].get<double>() < told_from * least_s) return {};
+  return table_row("if jerk were not limited", time_text(least_s) + ", loss " + number(free, "feed_loss_percent", 2) +
+                                                   " %; a control that plans jerk along the path lies between");
 }
 
 std::string path_rows(const Json& path) {
@@ -63,6 +74,7 @@ std::string run_rows(const Json& run) {
     text += table_row("feed, whole machining", number(run, "machining_feed_mm_min", 1) + " mm/min (loss " +
                                                    number(run, "machining_feed_loss_percent", 2) +
                                                    " %: leads, linkings and rapids are time without length)");
+  text += unlimited_jerk_row(run);
   text += "\n  axis    velocity   acceleration        jerk   lag max   of limit\n";
   for (const auto& [letter, peaks] : run["axes"].items()) {
     const bool rotary = letter == "A" || letter == "B" || letter == "C";

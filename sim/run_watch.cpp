@@ -50,17 +50,17 @@ void RunWatch::hand_over() {
   looking_.run([this] { look_at(seen_); });
 }
 
-void RunWatch::note_machining(std::span<const AxisSample> samples) {
+void MachiningSpan::add(std::span<const AxisSample> samples) {
   for (const AxisSample& sample : samples) {
     if (!sample.cutting) continue;
-    if (!machining_begin_s_) machining_begin_s_ = sample.time_s;
-    machining_end_s_ = sample.time_s;
+    if (!begin_s_) begin_s_ = sample.time_s;
+    end_s_ = sample.time_s;
   }
 }
 
-std::optional<double> RunWatch::machining_time_s() const {
-  if (!machining_begin_s_) return std::nullopt;
-  return *machining_end_s_ - *machining_begin_s_;
+std::optional<double> MachiningSpan::time_s() const {
+  if (!begin_s_) return std::nullopt;
+  return *end_s_ - *begin_s_;
 }
 
 void RunWatch::look_at(std::span<const AxisSample> samples) {
@@ -85,7 +85,7 @@ void RunWatch::look_at(std::span<const AxisSample> samples) {
                        [&] {
                          trace_.add(samples);
                          limit_peaks_.add(samples);
-                         note_machining(samples);
+                         machining_.add(samples);
                        },
                        [&] {
                          find_poses();

@@ -30,6 +30,17 @@ struct StatePlace {
   }
 };
 
+/// The time from the first sample of a feed move with the spindle on to the last, rapids between them included.
+class MachiningSpan {
+ public:
+  void add(std::span<const AxisSample> samples);
+  /// Nothing: no such sample.
+  [[nodiscard]] std::optional<double> time_s() const;
+
+ private:
+  std::optional<double> begin_s_, end_s_;
+};
+
 /// Takes the samples of a run and keeps: the cutter's moves, machine states for collisions, loads, and a view for
 /// drawing. It works beside the run: while one lot of samples is looked at, the run fills the next. Property: what is
 /// kept does not depend on the number of threads nor on how the samples come in portions.
@@ -52,8 +63,7 @@ class RunWatch {
 
   std::vector<SweptPose> moves() { return moves_.finish(); }
   std::vector<MachineState> states() { return states_.finish(); }
-  /// From the first sample of a feed move with the spindle on to the last, rapids between them included; nothing: none.
-  [[nodiscard]] std::optional<double> machining_time_s() const;
+  [[nodiscard]] std::optional<double> machining_time_s() const { return machining_.time_s(); }
   [[nodiscard]] const LimitPeaks& limit_peaks() const { return limit_peaks_; }
   [[nodiscard]] LoadsReport loads() const { return loads_.report(); }
   [[nodiscard]] std::vector<AxisSample> trace() const { return trace_.finish(); }
@@ -61,7 +71,6 @@ class RunWatch {
  private:
   void hand_over();
   void look_at(std::span<const AxisSample> samples);
-  void note_machining(std::span<const AxisSample> samples);
 
   ToolMotion motion_;
   PoseThinner moves_;
@@ -69,7 +78,7 @@ class RunWatch {
   LimitPeaks limit_peaks_;
   LoadsMeter loads_;
   TraceThinner trace_;
-  std::optional<double> machining_begin_s_, machining_end_s_;
+  MachiningSpan machining_;
   std::vector<AxisSample> filling_, seen_;
   std::vector<kinematics::ToolPose> poses_;
   tbb::task_group looking_;

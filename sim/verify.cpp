@@ -90,16 +90,33 @@ Result<void> read_back(const VerifyRequest& request, VerifyResult& result) {
   return {};
 }
 
-Result<RunReport> run(const VerifyRequest& request, const Stages& stages, RunWatch& watch) {
-  ProgramReader program = reader(request);
+ControlSetup control_setup(const VerifyRequest& request, const kinematics::Control& control) {
   ControlSetup setup;
   setup.machine = &request.profile.machine;
-  setup.control = &request.profile.control;
+  setup.control = &control;
   setup.setup = request.setup;
   setup.tool_length_mm = request.tool.gauge_length_mm;
+  return setup;
+}
+
+Result<RunReport> run(const VerifyRequest& request, const Stages& stages, RunWatch& watch) {
+  ProgramReader program = reader(request);
   return run_program(
-      program, setup, [&](std::span<const AxisSample> samples) { watch.add(samples); },
-      [&](double done) { stages.tell(done); });
+      program, control_setup(request, request.profile.control),
+      [&](std::span<const AxisSample> samples) { watch.add(samples); }, [&](double done) { stages.tell(done); });
+}
+
+/// Where it fails, for whatever the changed speeds meet, there is no such run.
+void run_unlimited_jerk(const VerifyRequest& request, VerifyResult& result) {
+  kinematics::Control control = request.profile.control;
+  if (control.linuxcnc_planner || control.acceleration_profile != kinematics::AccelerationProfile::s_curve) return;
+  control.acceleration_profile = kinematics::AccelerationProfile::trapezoid;
+  ProgramReader program = reader(request);
+  MachiningSpan machining;
+  const auto report = run_program(program, control_setup(request, control),
+                                  [&](std::span<const AxisSample> samples) { machining.add(samples); });
+  if (!report) return;
+  result.unlimited_jerk = {report->cycle_time_s, report->feed_loss_percent, machining.time_s()};
 }
 
 CollisionScene scene(const VerifyRequest& request) {
@@ -227,6 +244,7 @@ Result<void> measure(const VerifyRequest& request, RunWatch& watch, Stages& stag
                      result.collision = check_collisions(scene(request), request.profile.machine, request.setup, states,
                                                          request.collision_step_mm);
                    }});
+  parts.push_back({"run without jerk limits", [&] { run_unlimited_jerk(request, result); }});
   parts.push_back({"samples for pictures", [&] { result.trace = trace_view(request, watch.trace()); }});
   stages.side_by_side("cut surface, stock and collisions", parts);
   return stock;

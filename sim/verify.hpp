@@ -55,8 +55,18 @@ struct StockOutcome {
   bool assumed = false;
 };
 
+/// The same program on the same axes where no jerk is limited (profile trapezoid): the least time that their
+/// accelerations leave. The S-curve of the virtual control keeps jerk by an average, which uses less acceleration than
+/// a control that plans jerk along the path: such a control lies between the two.
+struct UnlimitedJerkRun {
+  double cycle_time_s = 0.0;
+  double feed_loss_percent = 0.0;
+  std::optional<double> machining_time_s;
+};
+
 struct VerifyResult {
   RunReport run;
+  std::optional<UnlimitedJerkRun> unlimited_jerk;  ///< nothing where the control limits no jerk by itself
   std::optional<CutSurfaceReport> cut;
   std::optional<CutPicture> picture;
   std::optional<StockOutcome> stock;

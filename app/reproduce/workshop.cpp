@@ -8,14 +8,14 @@ Result<JobInputs> Workshop::inputs(const std::string& job) const {
   return load_inputs(context_->examples_folder() / (job + ".toml"), *context_);
 }
 
-Result<std::shared_ptr<const MadeRun>> Workshop::run(const std::string& job, planner::Strategy strategy) {
-  const std::string key = job + " " + strategy_name(strategy);
+Result<std::shared_ptr<const MadeRun>> Workshop::run(const std::string& job, planner::Strategy strategy,
+                                                     ComparedAxis axis) {
+  const std::string key = job + " " + strategy_name(strategy) + " " + std::to_string(static_cast<int>(axis));
   if (const auto known = runs_.find(key); known != runs_.end()) return known->second;
   auto made = std::make_shared<MadeRun>();
   auto loaded = inputs(job);
   if (!loaded) return tl::unexpected(loaded.error());
-  made->inputs = std::move(*loaded);
-  made->inputs.job.path.strategy = strategy;
+  made->inputs = with_path(std::move(*loaded), strategy, axis);
   auto plan = plan_job(made->inputs, context_->progress());
   if (!plan) return tl::unexpected(plan.error());
   made->plan = std::move(*plan);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/compared_path.hpp"
 #include "app/context.hpp"
 #include "app/output_folder.hpp"
 #include "app/pipeline.hpp"
@@ -30,8 +31,9 @@ class Workshop {
 
   /// Job and parts of examples/NAME.toml.
   [[nodiscard]] geometry::Result<JobInputs> inputs(const std::string& job) const;
-  /// Plans, posts and verifies examples/JOB.toml with another strategy; a second call gives the same run.
-  geometry::Result<std::shared_ptr<const MadeRun>> run(const std::string& job, planner::Strategy strategy);
+  /// Plans, posts and verifies examples/JOB.toml with another strategy and axis; a second call gives the same run.
+  geometry::Result<std::shared_ptr<const MadeRun>> run(const std::string& job, planner::Strategy strategy,
+                                                       ComparedAxis axis = ComparedAxis::as_job);
   /// Plans examples/JOB.toml with another smoothing; a second call gives the same plan.
   geometry::Result<std::shared_ptr<const planner::PlanResult>> plan(const std::string& job,
                                                                     planner::Smoothing smoothing);

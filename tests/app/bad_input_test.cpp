@@ -73,6 +73,15 @@ TEST_P(BadMeshes, RefusedByInspectAndByRun) {
   EXPECT_EQ(text_of(folder / "out" / "report.json"), "from before");
 }
 
+TEST(BadWords, ComparedPathsNameTheirStrategyAndAxis) {
+  const auto folder = scratch_folder("compared-paths");
+  write_text(folder / "plate.stl", plate_stl(10, 10));
+  write_text(folder / "job.toml", plate_job());
+  expect_refused(run_volute("compare job.toml --strategies spiral,contour --out out", folder), "contour-offset");
+  expect_refused(run_volute("compare job.toml --strategies spiral:vertical --out out", folder), "normal, tilted");
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
 TEST(BadJob, ASurfaceInItsPlaceIsNamedWithTheRemedy) {
   const auto folder = scratch_folder("surface-as-job");
   write_text(folder / "plate.stl", plate_stl(10, 10));

@@ -101,6 +101,27 @@ TEST(Run, PlanPostAndSimulateAgreeWithRun) {
   EXPECT_GT(report["run"]["cycle_time_s"].get<double>(), 1.0) << judged.err;
 }
 
+TEST(Compare, TheAxisOfAPathIsTheJobsOrTurnsWithTheFeedOrStaysOnTheNormal) {
+  const auto folder = plate_folder("compare-axes");
+  const Outcome outcome = run_volute(
+      "compare plate.toml --strategies iso-planar:normal,iso-planar:tilted,iso-planar --out out --json", folder);
+  ASSERT_LE(outcome.status, 1) << outcome.err;
+  const Json rows = Json::parse(outcome.out)["strategies"];
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0]["strategy"], "iso-planar:normal");
+  EXPECT_TRUE(fs::exists(folder / "out" / "iso-planar-normal" / "report.html"));
+  EXPECT_EQ(rows[0]["orientation"]["smoothing"], "none");
+  EXPECT_EQ(rows[1]["orientation"]["smoothing"], "none");
+  EXPECT_NE(rows[2]["orientation"]["smoothing"], "none");
+  // A tilted axis turns round with the feed at the end of every plane; that takes time which the job's own axis saves.
+  for (const Json& row : rows) {
+    const Json& run = row["run"];
+    EXPECT_LE(run["unlimited_jerk"]["cycle_time_s"], run["cycle_time_s"]) << row["strategy"];
+    EXPECT_GE(run["unlimited_jerk"]["machining_feed_loss_percent"], run["machining_feed_loss_percent"]);
+  }
+  EXPECT_LT(rows[1]["run"]["feed_loss_percent"], rows[2]["run"]["feed_loss_percent"]);
+}
+
 TEST(Compare, OnePageHasARowAndAReportForEveryStrategyWithBothLosses) {
   const auto folder = plate_folder("compare");
   const Outcome outcome = run_volute("compare plate.toml --strategies spiral,iso-planar --out out --json", folder);

@@ -147,6 +147,20 @@ TEST(Verify, AnOpenSolidAsStockIsRefused) {
   ASSERT_FALSE(result);
 }
 
+TEST(Verify, TellsTheTimeWithoutJerkLimitsWhereTheControlLimitsJerk) {
+  VerifyRequest limited = request(zigzag(10.0, 0.5));
+  VerifyRequest unlimited = limited;
+  unlimited.profile.control.acceleration_profile = kinematics::AccelerationProfile::trapezoid;
+  const auto slow = verify(limited), fast = verify(unlimited);
+  ASSERT_TRUE(slow && fast);
+  EXPECT_FALSE(fast->unlimited_jerk) << "a trapezoid has no jerk limit to take away";
+  ASSERT_TRUE(slow->unlimited_jerk);
+  EXPECT_EQ(slow->unlimited_jerk->cycle_time_s, fast->run.cycle_time_s);
+  EXPECT_EQ(slow->unlimited_jerk->feed_loss_percent, fast->run.feed_loss_percent);
+  EXPECT_EQ(slow->unlimited_jerk->machining_time_s, fast->machining_time_s);
+  EXPECT_LT(fast->run.cycle_time_s, slow->run.cycle_time_s);
+}
+
 TEST(Verify, DoesNotDependOnTheNumberOfThreads) {
   const auto many = verify(request(zigzag(10.0, 0.7, 3)));
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
