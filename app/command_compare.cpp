@@ -33,10 +33,14 @@ Result<std::vector<ComparedPath>> chosen(const std::vector<std::string>& names) 
   return list;
 }
 
-/// The columns of Table 2, and length and time. "loss %": of feed moves; "all %": over the whole machining time; "least
-/// %": the same if no jerk were limited.
+/// The columns of Table 2, and length and time.
 const std::vector<std::string> table_heading{"rapids",      "lifts",  "links", "corners", "uncut", "length mm",
                                              "feed mm/min", "loss %", "all %", "least %", "time s"};
+
+constexpr const char* table_legend =
+    "loss %: of the feed moves. all %: of the whole machining; rapids, leads and linkings are time without length. "
+    "least "
+    "%: the same if no jerk were limited; a control that plans jerk along the path lies between.";
 
 std::vector<std::string> table_cells(const Json& row) {
   const Json& path = row["path"];
@@ -65,7 +69,8 @@ Result<view::ComparedRun> compared_run(const view::RunView& view, const Compared
   view::ComparedRun run{compared.name, view.findings.empty(), {}, table_cells(report), {}, {}};
   run.verdict = view.findings.empty()
                     ? "The virtual machine found nothing wrong."
-                    : std::to_string(view.findings.size()) + " findings. " + view.findings.front().text;
+                    : std::to_string(view.findings.size()) +
+                          (view.findings.size() == 1 ? " finding. " : " findings. ") + view.findings.front().text;
   run.report_link = compared.folder + "/report.html";
   const view::PictureStyle style = view::panel_style(720, 540);
   if (auto added = view::add_panel(run.pictures, "path on the part", view::path_picture(view, style)); !added)
@@ -151,7 +156,8 @@ Result<int> compare(const CompareArguments& arguments, Context& context) {
   const auto out = OutputFolder::make(arguments.out.empty() ? path(inputs->job.name + "-comparison") : arguments.out);
   if (!out) return tl::unexpected(out.error());
   Json rows = Json::array();
-  view::Comparison page{inputs->job.name + " on " + inputs->profile.name + ": paths compared", table_heading, {}};
+  view::Comparison page{
+      inputs->job.name + " on " + inputs->profile.name + ": paths compared", table_heading, {}, table_legend};
   for (const ComparedPath& compared : *paths) {
     auto row = run_path(*inputs, compared, *out, page, context);
     if (!row && row.error().kind == geometry::ErrorKind::system) return tl::unexpected(row.error());
@@ -163,7 +169,8 @@ Result<int> compare(const CompareArguments& arguments, Context& context) {
     return tl::unexpected(written.error());
   if (auto written = view::write_comparison_html(page, out->file("report.html")); !written)
     return tl::unexpected(written.error());
-  context.print(report, table_2(rows) + "  report            " + out->file("report.html").string() + "\n");
+  context.print(report, table_2(rows) + "  " + table_legend + "\n  report            " +
+                            out->file("report.html").string() + "\n");
   const bool found = std::any_of(rows.begin(), rows.end(),
                                  [](const Json& row) { return row.contains("error") || !row["findings"].empty(); });
   return found ? exit_found : exit_clean;

@@ -36,7 +36,9 @@ std::string table_text(const Comparison& comparison) {
   for (const std::string& name : comparison.heading) text += "<th>" + html_escaped(name) + "</th>";
   text += "</tr>\n";
   for (const ComparedRun& run : comparison.runs) text += row_text(run, comparison.heading.size());
-  return text + "</table></div>\n";
+  text += "</table></div>\n";
+  if (!comparison.legend.empty()) text += "<p>" + html_escaped(comparison.legend) + "</p>\n";
+  return text;
 }
 
 std::string run_text(const ComparedRun& run) {

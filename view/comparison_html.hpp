@@ -23,6 +23,7 @@ struct Comparison {
   std::string title;
   std::vector<std::string> heading;  ///< of the columns behind the name
   std::vector<ComparedRun> runs;
+  std::string legend;  ///< what the columns mean, below the table
 };
 
 /// Self-contained but for the links to the runs' own pages; needs neither network nor script. Deterministic. Requires:

@@ -120,7 +120,7 @@ TEST(PathPicture, PiecesAreNotJoinedThroughTheAir) {
 
 TEST(Comparison, TableHasARowARunAndNoRunSaysWhy) {
   const fs::path file = fs::temp_directory_path() / "volute-comparison-test.html";
-  Comparison comparison{"plate <b>", {"rapids", "loss %"}, {}};
+  Comparison comparison{"plate <b>", {"rapids", "loss %"}, {}, "loss < 0"};
   comparison.runs.push_back(
       {"spiral", true, "Nothing wrong.", {"0", "-0.10"}, "spiral/report.html", {{"path", plain_image(8, 8, 9)}}});
   comparison.runs.push_back({"iso-planar", false, "cannot be cut so", {}, {}, {}});
@@ -131,6 +131,7 @@ TEST(Comparison, TableHasARowARunAndNoRunSaysWhy) {
   EXPECT_NE(page.find("plate &lt;b&gt;"), std::string::npos);
   EXPECT_NE(page.find("<td>0</td><td>-0.10</td>"), std::string::npos);
   EXPECT_NE(page.find("<td colspan=\"2\">cannot be cut so</td>"), std::string::npos);
+  EXPECT_NE(page.find("<p>loss &lt; 0</p>"), std::string::npos);
   EXPECT_NE(page.find("href=\"spiral/report.html\""), std::string::npos);
   EXPECT_NE(page.find("src=\"data:image/png;base64,"), std::string::npos);
   EXPECT_EQ(page.find("http"), std::string::npos) << "it must need no network";
