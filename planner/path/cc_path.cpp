@@ -11,6 +11,7 @@
 #include "planner/path/baselines.hpp"
 #include "planner/path/even_nudge.hpp"
 #include "planner/path/even_spiral.hpp"
+#include "planner/path/even_verdict.hpp"
 #include "planner/path/finish_path.hpp"
 #include "planner/path/guided_path.hpp"
 #include "planner/path/path_interval.hpp"
@@ -135,6 +136,21 @@ Finished mended_even(const MeasureRequest& request, std::span<const Vec3> vertex
   return best;
 }
 
+/// The same, looked at closely and mended where that finds too much.
+Result<Finished> verdict_even(const MeasureRequest& request, std::span<const Vec3> vertex_normals, Finished best) {
+  if (!best.scallop) return best;
+  auto mended =
+      mended_closely(request.surface, vertex_normals, std::move(best.path), *best.scallop, request.intervals.rule());
+  if (!mended) return tl::unexpected(mended.error());
+  best.path = std::move(mended->path);
+  if (mended->moved) best = measured_even(request, best.report, std::move(best.path));
+  best.report.scallop_ratio_p9999 = mended->scallop.p9999_ratio;
+  best.report.scallop_ratio_max = mended->scallop.max_ratio;
+  best.report.scallop_area_above_percent = mended->scallop.area_above_percent;
+  best.report.interval_ratio_max = interval_of_scallop(best.report, request.intervals.rule());
+  return best;
+}
+
 /// The optimised field, finished as the other methods are; plan_even_spiral runs inward and counter-clockwise.
 Result<CcPathResult> plan_even(const geometry::TriangleMesh& surface, const kinematics::Cutter& cutter,
                                const PathOptions& options, const OrientationOptions& orientation) {
@@ -160,9 +176,11 @@ Result<CcPathResult> plan_even(const geometry::TriangleMesh& surface, const kine
   }
   ScallopMeter meter = scallop_meter(surface, normals, intervals.rule());
   const MeasureRequest request{surface, intervals, {}, false, !options.from_turn && !options.to_turn, &meter};
-  Finished best = mended_even(request, normals, measured_even(request, result->report, std::move(result->path)));
-  result->path = std::move(best.path);
-  result->report = std::move(best.report);
+  auto best = verdict_even(
+      request, normals, mended_even(request, normals, measured_even(request, result->report, std::move(result->path))));
+  if (!best) return tl::unexpected(best.error());
+  result->path = std::move(best->path);
+  result->report = std::move(best->report);
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "geometry/check.hpp"
@@ -214,6 +215,7 @@ ScallopMeter::ScallopMeter(const TriangleMesh& mesh, std::span<const Vec3> verte
       scallop_mm_(scallop_mm),
       sampling_(sampling),
       places_(sample_places(sampling.per_edge)),
+      thorough_places_(sample_places(sampling.thorough_per_edge)),
       order_(neighbours_together(mesh)) {
   VOLUTE_CHECK(scallop_mm > 0.0 && scallop_mm < radius_mm && sampling.per_edge > 0, scallop_mm, radius_mm,
                sampling.per_edge);
@@ -245,6 +247,36 @@ ScallopEntry ScallopMeter::entry(const Last& last, std::size_t t, const Vec3& pl
   return entry;
 }
 
+/// Climbs from the highest sample; where it is high enough, from the highest of each third of a triangle too, of more
+/// samples.
+SeenPlace ScallopMeter::highest_of(const Last& last, std::size_t t, const SeenPlace& sampled, Index& guess,
+                                   LookedAt& looked_at) const {
+  SeenPlace highest = sampled;
+  const auto look_at = [&](const Vec3& place) {
+    const SeenPlace seen{place, entry(last, t, place, guess, looked_at)};
+    if (seen.entry.height_mm > highest.entry.height_mm) highest = seen;
+    return seen;
+  };
+  const Facet facet(mesh_, t);
+  if (facet.size_mm() <= 0.0) return highest;
+  climb_scallop(last.balls, facet, sampled, 0.5 / sampling_.per_edge * facet.size_mm(), look_at);
+  const double thorough_from_mm = sampling_.thorough_from_ratio * scallop_mm_;
+  if (highest.entry.height_mm <= thorough_from_mm) return highest;
+  std::array<std::optional<SeenPlace>, 3> of_third;
+  for (const Vec3& place : thorough_places_) {
+    Eigen::Index third = 0;
+    place.maxCoeff(&third);
+    auto& best = of_third[static_cast<std::size_t>(third)];
+    const SeenPlace seen = look_at(place);
+    if (!best || seen.entry.height_mm > best->entry.height_mm) best = seen;
+  }
+  for (const auto& best : of_third) {
+    if (best && best->entry.height_mm > thorough_from_mm)
+      climb_scallop(last.balls, facet, *best, 0.5 / sampling_.thorough_per_edge * facet.size_mm(), look_at);
+  }
+  return highest;
+}
+
 void ScallopMeter::measure_triangle(Last& last, std::size_t t, Index& guess, LookedAt& looked_at) const {
   SeenPlace highest{places_.front(), {}};
   highest.entry.height_mm = -radius_mm_;
@@ -258,11 +290,8 @@ void ScallopMeter::measure_triangle(Last& last, std::size_t t, Index& guess, Loo
   if (const auto boundary = boundary_places_.find(t); boundary != boundary_places_.end()) {
     for (const Vec3& place : boundary->second) look_at(place);
   }
-  if (highest.entry.height_mm > sampling_.closer_from_ratio * scallop_mm_) {
-    const Facet facet(mesh_, t);
-    if (facet.size_mm() > 0.0)
-      climb_scallop(last.balls, facet, highest, 0.5 / sampling_.per_edge * facet.size_mm(), look_at);
-  }
+  if (highest.entry.height_mm > sampling_.closer_from_ratio * scallop_mm_)
+    highest = highest_of(last, t, highest, guess, looked_at);
   last.map.worst_ratio[t] = highest.entry.height_mm / scallop_mm_;
   last.map.worst_place_P_mm[t] = highest.entry.point_mm;
 }

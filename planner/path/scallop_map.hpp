@@ -2,6 +2,7 @@
 // along the path.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <span>
@@ -10,10 +11,9 @@
 #include "geometry/mesh.hpp"
 #include "planner/path/cc_path.hpp"
 #include "planner/path/scallop_balls.hpp"
+#include "planner/path/scallop_climb.hpp"
 
 namespace volute::planner {
-
-using geometry::TriangleMesh;
 
 struct ScallopMap {
   std::vector<double> worst_ratio;     ///< per triangle: greatest height over the allowed one
@@ -27,6 +27,10 @@ struct ScallopSampling {
   /// Triangles with a sample over this share are looked at more closely, from that sample uphill: a crest is narrower
   /// than the samples are apart.
   double closer_from_ratio = 0.8;
+  /// Triangles with a sample over this share are sampled `thorough_per_edge`^2 times, and climbed from the highest of
+  /// each third, whose crests may be as high. For verdicts; infinite: the highest of `per_edge`^2 alone leads uphill.
+  double thorough_from_ratio = std::numeric_limits<double>::infinity();
+  int thorough_per_edge = 9;
 };
 
 /// Heights at `per_edge`^2 points of each triangle, for the statistics by area; for the greatest ones also at boundary
@@ -60,13 +64,15 @@ class ScallopMeter {
  private:
   struct Last;
   ScallopEntry entry(const Last& last, std::size_t t, const Vec3& place, Index& guess, LookedAt& looked_at) const;
+  SeenPlace highest_of(const Last& last, std::size_t t, const SeenPlace& sampled, Index& guess,
+                       LookedAt& looked_at) const;
   void measure_triangle(Last& last, std::size_t t, Index& guess, LookedAt& looked_at) const;
 
   const TriangleMesh& mesh_;
   std::span<const Vec3> vertex_normals_;
   double radius_mm_, scallop_mm_;
   ScallopSampling sampling_;
-  std::vector<Vec3> places_;                                  ///< barycentric, the same in every triangle
+  std::vector<Vec3> places_, thorough_places_;                ///< barycentric, the same in every triangle
   std::vector<std::size_t> order_;                            ///< in which triangles are measured
   std::map<std::size_t, std::vector<Vec3>> boundary_places_;  ///< of triangles at the boundary
   std::vector<double> area_mm2_;

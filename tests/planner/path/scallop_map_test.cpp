@@ -176,6 +176,35 @@ TEST(ScallopMap, ClimbingReachesWhatDenseSamplesSee) {
   EXPECT_LT(sum / looked_at, 0.005);
 }
 
+// A triangle holds several crests: the climb from its highest sample alone may end on the lower one.
+TEST(ScallopMap, AThoroughLookMissesLess) {
+  const double radius = 2.0, scallop = 0.15, from = 0.9;
+  const TriangleMesh mesh = sheet(12, 0.7, 0.6);
+  const auto normals = geometry::vertex_normals(mesh);
+  double missed = 0.0, missed_thoroughly = 0.0;  // summed
+  int looked_at = 0;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    const CcPath path = wavy_passes(mesh, 12, 2, random);
+    const ScallopMap climbed = measure_scallop(mesh, normals, path, radius, scallop, {.closer_from_ratio = 0.6});
+    const ScallopMap thorough =
+        measure_scallop(mesh, normals, path, radius, scallop, {.closer_from_ratio = 0.6, .thorough_from_ratio = from});
+    const ScallopMap dense = measure_scallop(mesh, normals, path, radius, scallop, {.per_edge = 40});
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      EXPECT_GE(thorough.worst_ratio[t], climbed.worst_ratio[t]);
+      if (climbed.worst_ratio[t] <= from) continue;
+      missed += std::max(0.0, dense.worst_ratio[t] - climbed.worst_ratio[t]);
+      missed_thoroughly += std::max(0.0, dense.worst_ratio[t] - thorough.worst_ratio[t]);
+      ++looked_at;
+    }
+    EXPECT_EQ(thorough.statistics.p9999_ratio, climbed.statistics.p9999_ratio);
+  }
+  ASSERT_GT(looked_at, 200);
+  EXPECT_LT(missed_thoroughly / looked_at, 0.003);
+  EXPECT_GT(missed, 2.0 * missed_thoroughly);
+}
+
 // A meter that has seen other paths before answers as one that has not, to the last bit, with less work.
 TEST(ScallopMeter, EqualsAFreshMeasureAfterEveryChange) {
   const double radius = 2.0, scallop = 0.15;

@@ -1,0 +1,80 @@
+#include "planner/path/even_verdict.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "geometry/index.hpp"
+#include "planner/path/even_mend.hpp"
+#include "planner/path/even_resample.hpp"
+
+namespace volute::planner {
+
+using geometry::at;
+namespace {
+
+constexpr double greatest_left = 1.10;  ///< of the allowed height: with more a path is mended
+constexpr double p9999_left = 1.05;
+constexpr ScallopSampling close_look{
+    .exact_from_ratio = 0.7, .closer_from_ratio = 0.7, .thorough_from_ratio = 0.95, .thorough_per_edge = 7};
+
+/// The given surface with no edge longer than an interval; normals are the same at every point.
+struct FineSurface {
+  TriangleMesh mesh;
+  std::vector<Vec3> vertex_normals;
+};
+
+Result<FineSurface> fine_surface(const TriangleMesh& surface, std::span<const Vec3> vertex_normals,
+                                 double interval_mm) {
+  auto cut = finer(surface, interval_mm);
+  if (!cut) return tl::unexpected(cut.error());
+  FineSurface out{std::move(cut->mesh), {vertex_normals.begin(), vertex_normals.end()}};
+  for (const auto& ends : cut->ends)
+    out.vertex_normals.emplace_back(0.5 * (out.vertex_normals[at(ends[0])] + out.vertex_normals[at(ends[1])]));
+  return out;
+}
+
+bool holds(const ScallopStatistics& scallop, double greatest) {
+  return scallop.max_ratio <= greatest && scallop.p9999_ratio <= p9999_left;
+}
+
+/// How far a path is past what it should hold.
+double past(const ScallopStatistics& scallop) {
+  return std::max(0.0, scallop.p9999_ratio - p9999_left) + std::max(0.0, scallop.max_ratio - 1.0);
+}
+
+Result<MendedPath> mended_on(const FineSurface& fine, MendedPath best, const IntervalRule& rule) {
+  constexpr int rounds_max = 16, failures_max = 5;
+  constexpr double aim_greatest = 1.05;
+  const auto operators = triangle_operators(fine.mesh);
+  const MendSurface on{fine.mesh, fine.vertex_normals, operators};
+  ScallopMeter meter(fine.mesh, fine.vertex_normals, rule.radius_mm, rule.scallop_mm, close_look);
+  const ScallopMap* map = &meter.measure(best.path);
+  best.scallop = map->statistics;
+  CcPath now = best.path;
+  for (int round = 0, failures = 0; round < rounds_max && failures < failures_max; ++round) {
+    if (holds(best.scallop, aim_greatest)) break;
+    if (auto mended = mend_finished(now.pieces.front(), *map, on, rule.radius_mm, rule.scallop_mm); !mended)
+      return tl::unexpected(mended.error());
+    map = &meter.measure(now);
+    if (past(map->statistics) < past(best.scallop)) {
+      best = {now, true, map->statistics};
+      failures = 0;
+    } else {
+      ++failures;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Result<MendedPath> mended_closely(const TriangleMesh& surface, std::span<const Vec3> vertex_normals, CcPath path,
+                                  const ScallopMap& map, const IntervalRule& rule) {
+  MendedPath out{std::move(path), false, map.statistics};
+  if (holds(out.scallop, greatest_left) || out.path.pieces.size() != 1) return out;
+  const auto fine = fine_surface(surface, vertex_normals, rule.interval_mm(0.0));
+  if (!fine) return tl::unexpected(fine.error());
+  return mended_on(*fine, std::move(out), rule);
+}
+
+}  // namespace volute::planner
