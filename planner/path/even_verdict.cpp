@@ -14,22 +14,49 @@ namespace {
 
 constexpr double greatest_left = 1.10;  ///< of the allowed height: with more a path is mended
 constexpr double p9999_left = 1.05;
+constexpr double doubtful_from = 0.95;  ///< of the allowed height: what a first look finds may be 0.1 too low
 constexpr ScallopSampling close_look{
-    .exact_from_ratio = 0.7, .closer_from_ratio = 0.7, .thorough_from_ratio = 0.95, .thorough_per_edge = 7};
+    .exact_from_ratio = 0.7, .closer_from_ratio = 0.7, .thorough_from_ratio = doubtful_from, .thorough_per_edge = 7};
 
 /// The given surface with no edge longer than an interval; normals are the same at every point.
 struct FineSurface {
   TriangleMesh mesh;
   std::vector<Vec3> vertex_normals;
+  std::vector<Index> parent;  ///< of each triangle the given one
 };
 
 Result<FineSurface> fine_surface(const TriangleMesh& surface, std::span<const Vec3> vertex_normals,
                                  double interval_mm) {
   auto cut = finer(surface, interval_mm);
   if (!cut) return tl::unexpected(cut.error());
-  FineSurface out{std::move(cut->mesh), {vertex_normals.begin(), vertex_normals.end()}};
+  FineSurface out{std::move(cut->mesh), {vertex_normals.begin(), vertex_normals.end()}, std::move(cut->parent)};
   for (const auto& ends : cut->ends)
     out.vertex_normals.emplace_back(0.5 * (out.vertex_normals[at(ends[0])] + out.vertex_normals[at(ends[1])]));
+  return out;
+}
+
+/// The triangles that may hold more than the map says.
+TriangleMesh doubtful(const TriangleMesh& given, const FineSurface& fine, const ScallopMap& map) {
+  std::vector<int> parts(given.triangles.size(), 0);
+  for (Index parent : fine.parent) ++parts[at(parent)];
+  TriangleMesh out;
+  out.vertices_mm = fine.mesh.vertices_mm;
+  for (std::size_t t = 0; t < fine.mesh.triangles.size(); ++t) {
+    const auto parent = at(fine.parent[t]);
+    if (map.worst_ratio[parent] > doubtful_from || parts[parent] > 1) out.triangles.push_back(fine.mesh.triangles[t]);
+  }
+  return out;
+}
+
+/// The worse of both: what is sampled on few triangles knows nothing of the area.
+ScallopStatistics looked_at_closely(const TriangleMesh& given, const FineSurface& fine, const CcPath& path,
+                                    const ScallopMap& map, const IntervalRule& rule) {
+  ScallopStatistics out = map.statistics;
+  const TriangleMesh high = doubtful(given, fine, map);
+  if (high.triangles.empty()) return out;
+  const auto close =
+      measure_scallop(high, fine.vertex_normals, path, rule.radius_mm, rule.scallop_mm, close_look).statistics;
+  out.max_ratio = std::max(out.max_ratio, close.max_ratio);
   return out;
 }
 
@@ -70,10 +97,11 @@ Result<MendedPath> mended_on(const FineSurface& fine, MendedPath best, const Int
 
 Result<MendedPath> mended_closely(const TriangleMesh& surface, std::span<const Vec3> vertex_normals, CcPath path,
                                   const ScallopMap& map, const IntervalRule& rule) {
-  MendedPath out{std::move(path), false, map.statistics};
-  if (holds(out.scallop, greatest_left) || out.path.pieces.size() != 1) return out;
   const auto fine = fine_surface(surface, vertex_normals, rule.interval_mm(0.0));
   if (!fine) return tl::unexpected(fine.error());
+  MendedPath out{std::move(path), false, {}};
+  out.scallop = looked_at_closely(surface, *fine, out.path, map, rule);
+  if (holds(out.scallop, greatest_left) || out.path.pieces.size() != 1) return out;
   return mended_on(*fine, std::move(out), rule);
 }
 

@@ -139,5 +139,34 @@ TEST(EvenMend, EndsTheBoundaryRunAndWhatIsFarStayBitByBit) {
   EXPECT_EQ(piece.points.back().point_P_mm, before.points.back().point_P_mm);
 }
 
+// Triangles three intervals long: their nine samples say little of the crests between, the verdict looks at all.
+TEST(EvenMend, TheVerdictSeesAndMendsWhatACoarseMeshHides) {
+  const CcPiece piece = passes_apart({0.98, 0.98, 0.98, 1.08, 0.98, 0.98, 0.98});
+  const TriangleMesh mesh = plane_below(piece, 3.0 * interval_mm);
+  const auto normals = geometry::vertex_normals(mesh);
+  const IntervalRule rule{.radius_mm = radius_mm, .scallop_mm = scallop_mm};
+  const ScallopMap map = measure_scallop(mesh, normals, {{piece}}, radius_mm, scallop_mm);
+  const auto mended = mended_closely(mesh, normals, {{piece}}, map, rule);
+  ASSERT_TRUE(mended.has_value());
+  EXPECT_TRUE(mended->moved);
+  EXPECT_LE(mended->scallop.max_ratio, 1.05);
+  EXPECT_NEAR(dense_ratio(mesh, mended->path.pieces.front()), mended->scallop.max_ratio, 0.02);
+}
+
+TEST(EvenMend, ThePathThatHoldsLeavesTheVerdictAsItIs) {
+  const CcPiece piece = passes_apart({1.0, 1.04, 1.0});
+  const TriangleMesh mesh = plane_below(piece, 3.0 * interval_mm);
+  const auto normals = geometry::vertex_normals(mesh);
+  const IntervalRule rule{.radius_mm = radius_mm, .scallop_mm = scallop_mm};
+  const ScallopMap map = measure_scallop(mesh, normals, {{piece}}, radius_mm, scallop_mm);
+  const auto seen = mended_closely(mesh, normals, {{piece}}, map, rule);
+  ASSERT_TRUE(seen.has_value());
+  EXPECT_NEAR(seen->scallop.max_ratio, 1.04 * 1.04, 0.01);
+  ASSERT_FALSE(seen->moved);
+  ASSERT_EQ(seen->path.pieces.front().points.size(), piece.points.size());
+  for (std::size_t i = 0; i < piece.points.size(); ++i)
+    EXPECT_EQ(seen->path.pieces.front().points[i].point_P_mm, piece.points[i].point_P_mm);
+}
+
 }  // namespace
 }  // namespace volute::planner
