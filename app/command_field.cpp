@@ -88,12 +88,14 @@ std::string field_table(const planner::MeshFieldReport& report, const std::strin
 Result<int> field(const FieldArguments& arguments, Context& context) {
   const auto inputs = load_inputs(arguments.job, context);
   if (!inputs) return tl::unexpected(inputs.error());
+  const path folder = arguments.out.empty() ? path(inputs->job.name + "-field") : arguments.out;
+  if (auto possible = OutputFolder::check(folder); !possible) return tl::unexpected(possible.error());
   context.warn(inputs->warnings);
   const auto keys = point_keys(inputs->job);
   if (!keys) return tl::unexpected(keys.error());
   const auto made = planner::field_on_mesh(inputs->surface, *keys, inputs->job.field);
   if (!made) return tl::unexpected(made.error());
-  const auto out = OutputFolder::make(arguments.out.empty() ? path(inputs->job.name + "-field") : arguments.out);
+  const auto out = OutputFolder::make(folder);
   if (!out) return tl::unexpected(out.error());
   const Json report = field_json(made->report);
   if (auto written = out->write("field.json", report.dump(2) + "\n"); !written) return tl::unexpected(written.error());

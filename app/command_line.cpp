@@ -6,6 +6,7 @@
 #include "app/arguments.hpp"
 #include "app/exit_status.hpp"
 #include "app/reproduce/item.hpp"
+#include "geometry/number_text.hpp"
 
 namespace volute::app {
 
@@ -37,6 +38,18 @@ struct Places {
   RenderArguments render;
   ReproduceArguments reproduce;
 };
+
+/// A length in mm: above 0, finite and no more than a kilometre.
+CLI::Validator a_length_mm() {
+  constexpr double greatest_mm = 1e6;
+  return {[](const std::string& text) {
+            const auto value = geometry::parse_number(text);
+            return value && *value > 0.0 && *value <= greatest_mm
+                       ? std::string()
+                       : '"' + text + "\" must be a number of millimetres above 0 and at most 1000000";
+          },
+          "MM"};
+}
 
 CLI::App* add_command(CLI::App& app, CommonArguments& common, const char* name, const char* text) {
   CLI::App* command = app.add_subcommand(name, text);
@@ -85,8 +98,7 @@ void add_program_commands(CLI::App& app, Places& places) {
   post->add_option("--machine", places.post.machine, "Profile name or path; `volute machines` lists them")->required();
   post->add_option("--out", places.post.out, "The program's file (default: beside FILE)");
   post->add_option("--setup", places.post.setup, "Part origin in the machine: x,y,z in mm (default 0,0,0)");
-  post->add_option("--tolerance", places.post.tolerance_mm, "Linearization tolerance in mm")
-      ->check(CLI::PositiveNumber);
+  post->add_option("--tolerance", places.post.tolerance_mm, "Linearization tolerance in mm")->check(a_length_mm());
   post->footer("Example: volute post impeller.cls --machine ac-head-siemens --out impeller.mpf");
 
   SimulateArguments& simulate_places = places.simulate;
@@ -103,11 +115,11 @@ void add_program_commands(CLI::App& app, Places& places) {
   alone(simulate->add_option("--setup", simulate_places.setup,
                              "Part origin in the machine: x,y,z in mm (default 0,0,0)"));
   alone(simulate->add_option("--tool-length", simulate_places.tool_length_mm, "Tip to gauge line in mm")
-            ->check(CLI::PositiveNumber));
+            ->check(a_length_mm()));
   alone(simulate
             ->add_option("--scallop", simulate_places.scallop_mm,
                          "Material higher than this above the surface is uncut, in mm")
-            ->check(CLI::PositiveNumber));
+            ->check(a_length_mm()));
   simulate->add_option("--obstacle", simulate_places.obstacles,
                        "A mesh that nothing may touch: a clamp, a vice; in the part's frame, once for each");
   simulate->add_option("--compare", simulate_places.compare, "A second program to set beside the first");
@@ -122,7 +134,7 @@ void add_other_commands(CLI::App& app, Places& places) {
                                   "Loops, components, handles, triangle quality: can it be machined, and if not, why");
   inspect->add_option("PART", places.inspect.parts, "STL, OBJ, PLY or OFF")->required();
   inspect->add_option("--unit", places.inspect.unit_mm, "Length of one file unit in mm (25.4 for inches)")
-      ->check(CLI::PositiveNumber);
+      ->check(a_length_mm());
   CLI::App* machines =
       add_command(app, places.common, "machines", "The profiles, or one of them checked and explained");
   machines->add_option("NAME", places.machines.name, "Profile name or path");
@@ -163,6 +175,19 @@ CommandArguments chosen(const CLI::App& app, const Places& places) {
 
 }  // namespace
 
+namespace {
+/// What CLI11 says, but for a word in the command's place that is none.
+std::string usage_text(const CLI::App& app, int count, char** words, const CLI::ParseError& error) {
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (count > 1 && command->get_name() == words[1]) return error.what();
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  if (count > 1 && words[1][0] == '-') return error.what();
+  return (count > 1 ? '"' + std::string(words[1]) + "\" is not a command" : "the command is missing") + ": " + names;
+}
+}  // namespace
+
 std::variant<CommandLine, int> parse_command_line(int count, char** words) {
   Places places;
   CLI::App app(overview, "volute");
@@ -178,7 +203,7 @@ std::variant<CommandLine, int> parse_command_line(int count, char** words) {
     app.exit(success);
     return exit_clean;
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "volute: usage: %s; try: volute --help\n", error.what());
+    std::fprintf(stderr, "volute: usage: %s; try: volute --help\n", usage_text(app, count, words, error).c_str());
     return exit_bad_input;
   }
   return CommandLine{places.common, chosen(app, places)};

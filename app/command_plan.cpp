@@ -15,12 +15,14 @@ namespace {
 geometry::Result<int> plan(const PlanArguments& arguments, Context& context) {
   const auto inputs = load_inputs(arguments.job, context);
   if (!inputs) return tl::unexpected(inputs.error());
+  const path folder = arguments.out.empty() ? path(inputs->job.name) : arguments.out;
+  if (auto possible = OutputFolder::check(folder); !possible) return tl::unexpected(possible.error());
   context.warn(inputs->warnings);
   const auto planned = plan_job(*inputs, context.progress());
   if (!planned) return tl::unexpected(planned.error());
   context.warn(planned->cc.report.notes);
   context.warn(planned->orientation.notes);
-  const auto out = OutputFolder::make(arguments.out.empty() ? path(inputs->job.name) : arguments.out);
+  const auto out = OutputFolder::make(folder);
   if (!out) return tl::unexpected(out.error());
   const Json report = plan_json(*planned);
   if (auto written = out->write("toolpath.cls", cl_text(*inputs, *planned)); !written)

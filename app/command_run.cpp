@@ -80,6 +80,8 @@ Result<int> run(const RunArguments& arguments, Context& context) {
   Stopwatch watch;
   const auto inputs = load_inputs(arguments.job, context);
   if (!inputs) return tl::unexpected(inputs.error());
+  const path folder = arguments.out.empty() ? path(inputs->job.name) : arguments.out;
+  if (auto possible = OutputFolder::check(folder); !possible) return tl::unexpected(possible.error());
   context.warn(inputs->warnings);
   const double inputs_s = watch.lap_s();
   const auto plan = plan_job(*inputs, context.progress());
@@ -95,7 +97,7 @@ Result<int> run(const RunArguments& arguments, Context& context) {
   context.warn(texts(verified->warnings));
   watch.lap_s();
 
-  const auto out = OutputFolder::make(arguments.out.empty() ? path(inputs->job.name) : arguments.out);
+  const auto out = OutputFolder::make(folder);
   if (!out) return tl::unexpected(out.error());
   const bool passed = verified->findings.empty();
   context.progress().report("pictures and files", 0.0);

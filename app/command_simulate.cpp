@@ -175,10 +175,11 @@ Result<int> simulate(const SimulateArguments& arguments, Context& context) {
         "--part is given without --cutter: say which cutter the program is for, as in --cutter ball,3");
   const auto bench = set_up(arguments, context);
   if (!bench) return tl::unexpected(bench.error());
+  const path folder = arguments.out.empty() ? path(arguments.program.stem().string() + "-simulation") : arguments.out;
+  if (auto possible = OutputFolder::check(folder); !possible) return tl::unexpected(possible.error());
   const auto first = simulate_one(arguments.program, *bench, context);
   if (!first) return tl::unexpected(first.error());
-  const auto out = OutputFolder::make(arguments.out.empty() ? path(arguments.program.stem().string() + "-simulation")
-                                                            : arguments.out);
+  const auto out = OutputFolder::make(folder);
   if (!out) return tl::unexpected(out.error());
   const auto pictures = write_results(arguments.program, *bench, *first, *out);
   if (!pictures) return tl::unexpected(pictures.error());

@@ -1,5 +1,6 @@
 #include "app/job.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include "geometry/number_text.hpp"
@@ -29,6 +30,7 @@ class JobReader {
     if (reader_.error()) return tl::unexpected(*reader_.error());
     reader_.only_keys(
         root(), "", {"part", "tool", "holder", "scene", "path", "orientation", "process", "machine", "field", "stock"});
+    limit_numbers(root(), "");
     read_part();
     read_tool();
     read_holder();
@@ -50,6 +52,19 @@ class JobReader {
 
  private:
   [[nodiscard]] const toml::table& root() const { return reader_.root(); }
+
+  /// No length, feed or speed of a job is larger than a million of its unit; what is has a wrong unit or a lost point.
+  void limit_numbers(const toml::node& node, const std::string& key) {
+    constexpr double greatest = 1e6;
+    if (const toml::table* table = node.as_table())
+      for (const auto& [name, below] : *table)
+        limit_numbers(below, key.empty() ? std::string(name.str()) : key + "." + std::string(name.str()));
+    if (const toml::array* list = node.as_array())
+      for (const toml::node& below : *list) limit_numbers(below, key);
+    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+    if (value && std::abs(*value) > greatest)
+      reader_.refuse(&node, key, short_text(*value) + " is out of all measure; numbers here are at most 1000000");
+  }
 
   std::filesystem::path beside(const std::string& name) const { return job_.file.parent_path() / name; }
 
@@ -343,8 +358,10 @@ geometry::Result<kinematics::Setup> parse_setup(const std::string& text) {
     const auto value = end == std::string::npos
                            ? std::nullopt
                            : geometry::parse_number(std::string_view(text).substr(start, end - start));
-    if (!value)
-      return geometry::bad_input("setup-syntax", "--setup " + text + ": must be x,y,z in mm, as in --setup 0,0,120");
+    constexpr double farthest_mm = 1e6;
+    if (!value || std::abs(*value) > farthest_mm)
+      return geometry::bad_input(
+          "setup-syntax", "--setup " + text + ": must be x,y,z in mm, each within a kilometre, as in --setup 0,0,120");
     origin_mm[i] = *value;
     start = end + 1;
   }

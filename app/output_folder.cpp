@@ -1,5 +1,9 @@
 #include "app/output_folder.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 #include <system_error>
 
 #include "geometry/file.hpp"
@@ -7,6 +11,19 @@
 namespace volute::app {
 
 namespace fs = std::filesystem;
+
+geometry::Result<void> OutputFolder::check(const fs::path& folder) {
+  std::error_code failed;
+  fs::path nearest = fs::absolute(folder, failed);
+  while (!fs::exists(nearest, failed) && nearest != nearest.parent_path()) nearest = nearest.parent_path();
+  if (!fs::is_directory(nearest, failed))
+    return geometry::bad_input("out-not-a-folder",
+                               nearest.string() + ": is a file; --out names a folder: give another name");
+  if (access(nearest.c_str(), W_OK | X_OK) != 0)
+    return geometry::system_error("out-not-made", folder.string() + ": nothing can be written in " + nearest.string() +
+                                                      ": " + std::strerror(errno));
+  return {};
+}
 
 geometry::Result<OutputFolder> OutputFolder::make(const fs::path& folder) {
   std::error_code failed;

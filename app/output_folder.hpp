@@ -11,6 +11,8 @@ namespace volute::app {
 
 class OutputFolder {
  public:
+  /// Whether `make` would succeed, without making anything: asked before long work. Errors: as make.
+  static geometry::Result<void> check(const std::filesystem::path& folder);
   /// Makes the folder. Errors: out-not-a-folder (bad_input), out-not-made (system).
   static geometry::Result<OutputFolder> make(const std::filesystem::path& folder);
 

@@ -109,9 +109,15 @@ std::string base64_text(std::string_view bytes) {
 
 void PackedData::add(const std::string& name, const std::vector<double>& values, double step) {
   std::vector<std::int32_t> steps(values.size());
+  constexpr double most_steps = 2147483647.0;
+  double largest = 0.0;
+  for (const double value : values) {
+    VOLUTE_CHECK(std::isfinite(value), name, value);
+    largest = std::max(largest, std::abs(value));
+  }
+  while (std::round(largest / step) >= most_steps) step *= 2.0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double count = std::round(values[i] / step);
-    VOLUTE_CHECK(std::abs(count) < 2147483647.0, name, values[i], step);
     steps[i] = static_cast<std::int32_t>(count);
   }
   add_coded(name, steps, step);

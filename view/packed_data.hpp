@@ -25,7 +25,8 @@ std::string base64_text(std::string_view bytes);
 /// step. 2. The same columns give the same bytes.
 class PackedData {
  public:
-  /// Requires: step > 0, name of letters, digits and dots, every value finite and below 2^31 steps.
+  /// Requires: step > 0, name of letters, digits and dots, every value finite. A column with values of 2^31 steps or
+  /// more has its step doubled until they are fewer.
   void add(const std::string& name, const std::vector<double>& values, double step);
   /// A step of the largest magnitude over 32000: for curves that are looked at, not read off.
   void add_curve(const std::string& name, const std::vector<double>& values);

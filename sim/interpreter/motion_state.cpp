@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/number_text.hpp"
 #include "sim/interpreter/arithmetic.hpp"
 
 namespace volute::sim {
@@ -11,6 +12,9 @@ namespace {
 constexpr double seconds_per_minute = 60.0;
 /// Words that differ by less name the same position: far below the last digit of any control (1e-6 mm).
 constexpr double same_position_mm = 1e-9;
+
+/// No word may lead farther: a kilometre, or 10,000 turns.
+constexpr double farthest_mm = 1e6, farthest_rad = 2e4 * std::numbers::pi;
 
 bool has(unsigned mask, std::size_t bit) { return ((mask >> bit) & 1U) != 0; }
 }  // namespace
@@ -174,6 +178,23 @@ void MotionState::place_rotary(const MoveWords& words, MotionBlock& out) {
   }
 }
 
+bool MotionState::in_reach(std::size_t column, const MotionBlock& out) {
+  const auto too_far = [&](char letter, double value, const char* unit) {
+    return diagnosis_.fault(
+        column, "program-word-range",
+        std::string(1, letter) + " leads to " + geometry::short_text(value) + unit +
+            ", farther than any machine goes; correct the word, or the unit (G20, G21) it stands in");
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double value = out.xyz_mm[static_cast<Eigen::Index>(i)];
+    if (out.xyz_programmed[i] && !(std::abs(value) <= farthest_mm)) return too_far("XYZ"[i], value, " mm");
+  }
+  for (std::size_t i = 0; i < 2; ++i)
+    if (out.rotary_programmed[i] && !(std::abs(out.rotary_rad[i]) <= farthest_rad))
+      return too_far(rotary_letters_[i], out.rotary_rad[i] / rad_per_deg, " deg");
+  return true;
+}
+
 bool MotionState::place_feed(std::size_t column, MotionBlock& out) {
   if (out.kind == MotionKind::rapid) return true;
   if (feed_number <= 0.0)
@@ -208,7 +229,7 @@ bool MotionState::line(MotionKind kind, const MoveWords& words, std::size_t colu
   }
   place_rotary(words, out);
   out.rotary_only = !moves_linear && (words.rotary != 0 || words.axis_vector);
-  return place_feed(column, out);
+  return in_reach(column, out) && place_feed(column, out);
 }
 
 bool MotionState::arc(const MoveWords& words, const ArcWords& arc, MotionBlock& out) {
@@ -224,7 +245,7 @@ bool MotionState::arc(const MoveWords& words, const ArcWords& arc, MotionBlock& 
   }
   place_linear(words, out);
   place_rotary(words, out);
-  return arc_geometry(arc, start, out) && place_feed(arc.column, out);
+  return in_reach(arc.column, out) && arc_geometry(arc, start, out) && place_feed(arc.column, out);
 }
 
 MotionBlock MotionState::dwell(double seconds) {

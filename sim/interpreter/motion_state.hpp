@@ -99,6 +99,8 @@ class MotionState {
   bool place_linear(const MoveWords& words, MotionBlock& out);
   void place_machine(const MoveWords& words, MotionBlock& out);
   void place_rotary(const MoveWords& words, MotionBlock& out);
+  /// Refuses an end that no machine can reach.
+  bool in_reach(std::size_t column, const MotionBlock& out);
   bool place_feed(std::size_t column, MotionBlock& out);
   bool arc_geometry(const ArcWords& arc, const Vec3& start, MotionBlock& out);
 

@@ -21,6 +21,11 @@ void Diagnosis::warn_once(std::string_view key, const std::string& text) {
   warnings_.push_back(source_.file_name() + ":" + std::to_string(source_.line()) + ": " + text);
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string out = "\"";

@@ -19,10 +19,14 @@ struct LineMark {
   friend bool operator==(const LineMark&, const LineMark&) = default;
 };
 
+/// Editors put the mark of UTF-8 before a text; it is no part of the program.
+std::string_view without_byte_order_mark(std::string_view text);
+
 /// Hands out the lines of a text. Keeps no copy.
 class Source {
  public:
-  Source(std::string_view text, std::string file_name) : text_(text), file_name_(std::move(file_name)) {}
+  Source(std::string_view text, std::string file_name)
+      : text_(without_byte_order_mark(text)), file_name_(std::move(file_name)) {}
 
   /// The next line without its end (LF or CR LF); nothing at the end of the text.
   std::optional<std::string_view> next_line() {

@@ -49,6 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadJob{"surface_missing", replaced(plate_job(), "plate.stl", "plaet.stl"), "plaet.stl"},
         BadJob{"profile", replaced(plate_job(), "ac-head-fanuc", "ac-head-fanux"), "ac-head-fanux"},
         BadJob{"nan", replaced(plate_job(), "radius_mm = 3", "radius_mm = nan"), "tool.radius_mm"},
+        BadJob{"kilometres", replaced(plate_job(), "radius_mm = 3", "radius_mm = 1e300"), "tool.radius_mm: 1e+300"},
+        BadJob{"huge_in_a_list", plate_job("[holder]\nsegments = [[20, 20, 2000000]]\n"), "holder.segments: 2e+06"},
         BadJob{"holder", plate_job("[holder]\nsegments = [[20, 20]]\n"), "holder.segments"},
         BadJob{"two_stocks", plate_job("[stock]\nnear_net_mm = 0.5\nallowance_mm = 1\n"), "stock.near_net_mm"},
         BadJob{"no_feed", replaced(plate_job(), "feed_mm_min = 600", ""), "feed_mm_min"}),
@@ -106,6 +108,45 @@ INSTANTIATE_TEST_SUITE_P(
                             "plate.stl"},
                     BadMesh{"not_a_mesh", "hello, this is a letter\n", "plate.stl"}),
     [](const testing::TestParamInfo<BadMesh>& row) { return row.param.name; });
+
+struct BadWords {
+  const char* name;
+  const char* words;
+  const char* named;
+};
+
+class BadCommandLines : public testing::TestWithParam<BadWords> {};
+
+TEST_P(BadCommandLines, OneShortLineAndNothingWritten) {
+  const auto folder = scratch_folder(std::string("words-") + GetParam().name);
+  const std::string program = "G21 G90\nG0 X0. Y0. Z10.\nG1 X10. F100\nM30\n";
+  write_text(folder / "good.nc", program);
+  write_text(folder / "plate.stl", plate_stl(10, 10));
+  write_text(folder / "job.toml", plate_job());
+  const Outcome outcome = run_volute(GetParam().words, folder);
+  expect_refused(outcome, GetParam().named);
+  EXPECT_LT(outcome.err.size(), 300U) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder / "good-simulation"));
+  EXPECT_EQ(text_of(folder / "good.nc"), program);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadCommandLines,
+    testing::Values(
+        BadWords{"no_command", "", "the command is missing: run, plan"},
+        BadWords{"other_command", "nosuch", "\"nosuch\" is not a command: run, plan"},
+        BadWords{"no_job", "run", "JOB is required"},
+        BadWords{"length_0", "simulate good.nc --machine ac-head-fanuc --tool-length 0",
+                 "--tool-length: \"0\" must be"},
+        BadWords{"length_nan", "simulate good.nc --machine ac-head-fanuc --tool-length nan", "\"nan\" must be"},
+        BadWords{"length_huge", "simulate good.nc --machine ac-head-fanuc --tool-length 1e300", "\"1e300\" must be"},
+        BadWords{"scallop_nan", "simulate good.nc --machine ac-head-fanuc --scallop nan", "--scallop: \"nan\""},
+        BadWords{"unit", "inspect plate.stl --unit -1", "--unit: \"-1\""},
+        BadWords{"tolerance", "post x.cls --machine ac-head-fanuc --tolerance inf", "--tolerance: \"inf\""},
+        BadWords{"setup_huge", "simulate good.nc --machine ac-head-fanuc --setup 1e300,0,0", "within a kilometre"},
+        BadWords{"out_is_a_file", "simulate good.nc --machine ac-head-fanuc --out good.nc", "good.nc: is a file"},
+        BadWords{"out_below_a_file", "plan job.toml --out good.nc/below", "good.nc: is a file"}),
+    [](const testing::TestParamInfo<BadWords>& row) { return row.param.name; });
 
 }  // namespace
 }  // namespace volute::app_test

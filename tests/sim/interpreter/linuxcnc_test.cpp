@@ -290,6 +290,22 @@ TEST(Linuxcnc, DynamicToolOffsetIsRefusedWhereItWouldTurnAboutAnotherPoint) {
   EXPECT_EQ(linuxcnc("G43.1 Z5\nM2\n").code(), "program-tool-offset");
 }
 
+TEST(Linuxcnc, WordsThatLeadOutOfAllMeasureAreRefused) {
+  EXPECT_EQ(linuxcnc("G0 X1000000 C3600000\nM2\n").message(), "");
+  for (const char* text : {"G0 X1000001\nM2\n", "G20\nG0 Z-39371\nM2\n", "G0 C3600001\nM2\n",
+                           "G0 X900000 Y0\nG91\nG0 X900000\nM2\n", "G0 X0 Y0\nF1 G2 X9e9 I4.5e9\nM2\n"})
+    EXPECT_TRUE(linuxcnc(text).error.has_value()) << text;
+  EXPECT_NE(linuxcnc("G20\nG0 Z-39371\nM2\n").message().find("p.nc:2:1: Z leads to -1.00002e+06 mm"), std::string::npos)
+      << linuxcnc("G20\nG0 Z-39371\nM2\n").message();
+}
+
+TEST(Linuxcnc, AByteOrderMarkIsNoPartOfTheProgram) {
+  const auto program = linuxcnc("\xef\xbb\xbf%\nG0 X1\n%\n");
+  ASSERT_EQ(program.blocks.size(), 1U) << program.message();
+  EXPECT_EQ(program.blocks[0].line, 2);
+  EXPECT_TRUE(linuxcnc("%\n\xef\xbb\xbfG0 X1\n%\n").error.has_value());
+}
+
 TEST(Linuxcnc, WorkOffsetsInMachineCoordinatesNeedTheSetup) {
   const std::string text = "G10 L2 P1 X100 Y0 Z0\nG0 X1 Y2\nM2\n";
   EXPECT_EQ(linuxcnc(text).code(), "program-set-data");
