@@ -1,9 +1,13 @@
 #include "planner/path/even_verdict.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
+#include "geometry/angle.hpp"
 #include "geometry/index.hpp"
+#include "geometry/mesh_measure.hpp"
 #include "planner/path/even_mend.hpp"
 #include "planner/path/even_resample.hpp"
 
@@ -69,21 +73,56 @@ double past(const ScallopStatistics& scallop) {
   return std::max(0.0, scallop.p9999_ratio - p9999_left) + std::max(0.0, scallop.max_ratio - 1.0);
 }
 
-Result<MendedPath> mended_on(const FineSurface& fine, MendedPath best, const IntervalRule& rule) {
-  constexpr int rounds_max = 16, failures_max = 5;
-  constexpr double aim_greatest = 1.05;
+/// The surface with the vertices' normals and, after that, its triangles with their own, along which a program is
+/// judged. Those that differ by less than 3 degrees change a height by less than 0.02 and are left out.
+FineSurface seen_both_ways(const FineSurface& fine) {
+  const double same = geometry::cos(geometry::Angle::degrees(3.0));
+  const auto normals = geometry::triangle_normals(fine.mesh);
+  FineSurface out = fine;
+  for (std::size_t t = 0; t < fine.mesh.triangles.size(); ++t) {
+    const auto& corners = fine.mesh.triangles[t];
+    if (std::all_of(corners.begin(), corners.end(),
+                    [&](Index v) { return normals[t].dot(fine.vertex_normals[at(v)].normalized()) > same; }))
+      continue;
+    const auto first = static_cast<Index>(out.mesh.vertices_mm.size());
+    for (Index v : corners) {
+      out.mesh.vertices_mm.push_back(fine.mesh.vertices_mm[at(v)]);
+      out.vertex_normals.push_back(normals[t]);
+    }
+    out.mesh.triangles.push_back({first, first + 1, first + 2});
+    out.parent.push_back(fine.parent[t]);
+  }
+  return out;
+}
+
+/// The greatest height of the first triangles of a map.
+double greatest_of_first(const ScallopMap& map, std::size_t triangles) {
+  return *std::max_element(map.worst_ratio.begin(), map.worst_ratio.begin() + static_cast<std::ptrdiff_t>(triangles));
+}
+
+struct MendRounds {
+  int rounds_max = 0, failures_max = 0;
+  double until = 0.0;           ///< nothing stands over this
+  std::size_t first = 0;        ///< triangles of which
+  double first_greatest = 0.0;  ///< nothing may stand over this
+  MendOptions mend;
+};
+
+Result<MendedPath> mended_on(const FineSurface& fine, MendedPath best, const IntervalRule& rule,
+                             const MendRounds& wanted) {
   const auto operators = triangle_operators(fine.mesh);
   const MendSurface on{fine.mesh, fine.vertex_normals, operators};
   ScallopMeter meter(fine.mesh, fine.vertex_normals, rule.radius_mm, rule.scallop_mm, close_look);
   const ScallopMap* map = &meter.measure(best.path);
   best.scallop = map->statistics;
   CcPath now = best.path;
-  for (int round = 0, failures = 0; round < rounds_max && failures < failures_max; ++round) {
-    if (holds(best.scallop, aim_greatest)) break;
-    if (auto mended = mend_finished(now.pieces.front(), *map, on, rule.radius_mm, rule.scallop_mm); !mended)
+  for (int round = 0, failures = 0; round < wanted.rounds_max && failures < wanted.failures_max; ++round) {
+    if (holds(best.scallop, wanted.until)) break;
+    if (auto mended = mend_finished(now.pieces.front(), *map, on, rule.radius_mm, rule.scallop_mm, wanted.mend);
+        !mended)
       return tl::unexpected(mended.error());
     map = &meter.measure(now);
-    if (past(map->statistics) < past(best.scallop)) {
+    if (past(map->statistics) < past(best.scallop) && greatest_of_first(*map, wanted.first) <= wanted.first_greatest) {
       best = {now, true, map->statistics};
       failures = 0;
     } else {
@@ -91,6 +130,32 @@ Result<MendedPath> mended_on(const FineSurface& fine, MendedPath best, const Int
     }
   }
   return best;
+}
+
+/// First along the vertices' normals, then carefully along the triangles' too: beside sharp edges those jump, and the
+/// same steps as before overshoot.
+Result<MendedPath> mended_both_ways(const FineSurface& fine, MendedPath path, const IntervalRule& rule) {
+  const std::size_t triangles = fine.mesh.triangles.size();
+  auto smooth = mended_on(fine, std::move(path), rule,
+                          {.rounds_max = 16,
+                           .failures_max = 5,
+                           .until = 1.05,
+                           .first = triangles,
+                           .first_greatest = std::numeric_limits<double>::infinity(),
+                           .mend = {}});
+  if (!smooth) return smooth;
+  const double kept = std::max(greatest_left, smooth->scallop.max_ratio);
+  auto out = mended_on(seen_both_ways(fine), std::move(*smooth), rule,
+                       {.rounds_max = 12,
+                        .failures_max = 5,
+                        .until = greatest_left,
+                        .first = triangles,
+                        .first_greatest = kept,
+                        .mend = {.mended_from = 1.08, .aim_ratio = 1.06, .longest_intervals = 0.06}});
+  if (!out) return out;
+  out->scallop = measure_scallop(fine.mesh, fine.vertex_normals, out->path, rule.radius_mm, rule.scallop_mm, close_look)
+                     .statistics;
+  return out;
 }
 
 }  // namespace
@@ -102,7 +167,7 @@ Result<MendedPath> mended_closely(const TriangleMesh& surface, std::span<const V
   MendedPath out{std::move(path), false, {}};
   out.scallop = looked_at_closely(surface, *fine, out.path, map, rule);
   if (holds(out.scallop, greatest_left) || out.path.pieces.size() != 1) return out;
-  return mended_on(*fine, std::move(out), rule);
+  return mended_both_ways(*fine, std::move(out), rule);
 }
 
 }  // namespace volute::planner

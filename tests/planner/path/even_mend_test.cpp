@@ -168,5 +168,47 @@ TEST(EvenMend, ThePathThatHoldsLeavesTheVerdictAsItIs) {
     EXPECT_EQ(seen->path.pieces.front().points[i].point_P_mm, piece.points[i].point_P_mm);
 }
 
+/// A roof along the passes, its ridge over the middle of a gap: triangles meet there at an angle of 2 `slope`.
+TriangleMesh roof_below(const CcPiece& piece, double ridge_mm, double slope) {
+  TriangleMesh mesh = plane_below(piece, 0.5);
+  for (Vec3& v : mesh.vertices_mm) v.z() = -slope * std::abs(v.y() - ridge_mm);
+  return mesh;
+}
+
+/// Each triangle with corners of its own: vertex normals are then those of the triangles.
+TriangleMesh taken_apart(const TriangleMesh& mesh) {
+  TriangleMesh out;
+  for (const auto& t : mesh.triangles) {
+    const auto first = static_cast<geometry::Index>(out.vertices_mm.size());
+    for (geometry::Index v : t) out.vertices_mm.push_back(mesh.vertices_mm[static_cast<std::size_t>(v)]);
+    out.triangles.push_back({first, first + 1, first + 2});
+  }
+  return out;
+}
+
+// Beside a ridge the vertices' normals lean over and those of the triangles, along which a program is judged, do not:
+// both hold.
+TEST(EvenMend, BesideARidgeBothNormalsHold) {
+  std::vector<double> gaps{0.96, 0.96, 0.96, 0.99, 0.96, 0.96, 0.96};
+  CcPiece piece = passes_apart(gaps);
+  const double ridge_mm = (3 * 0.96 + 0.5 * 0.99) * interval_mm, slope = 0.3;
+  const TriangleMesh mesh = roof_below(piece, ridge_mm, slope);
+  const auto normals = geometry::vertex_normals(mesh);
+  const auto operators = triangle_operators(mesh);
+  for (CcPoint& p : piece.points) {
+    const double side = p.point_P_mm.y() - ridge_mm;
+    p.point_P_mm.z() = -slope * std::abs(side);
+    p.normal_P = Vec3(0.0, side > 0.0 ? slope : -slope, 1.0).normalized();
+  }
+  const IntervalRule rule{.radius_mm = radius_mm, .scallop_mm = scallop_mm};
+  const ScallopMap map = measure_scallop(mesh, normals, {{piece}}, radius_mm, scallop_mm);
+  const TriangleMesh apart = taken_apart(mesh);
+  EXPECT_GT(dense_ratio(mesh, piece), 1.2);
+  const auto mended = mended_closely(mesh, normals, {{piece}}, map, rule);
+  ASSERT_TRUE(mended.has_value());
+  EXPECT_LE(dense_ratio(mesh, mended->path.pieces.front()), 1.10);
+  EXPECT_LE(dense_ratio(apart, mended->path.pieces.front()), 1.10);
+}
+
 }  // namespace
 }  // namespace volute::planner
