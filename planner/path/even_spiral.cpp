@@ -289,7 +289,8 @@ std::string shorter_note(const Planned& planned, double rounder_mm) {
   const std::string what =
       folds == 0 ? "even: passes bend sharply: with few corners "
                  : "even: passes turn back at " + std::to_string(2 * folds) +
-                       " places and run the other way between them (path.cut_direction forbids it): without that ";
+                       " places and run the other way between them (path.cut_direction = climb or conventional forbids "
+                       "it): without that ";
   if (!std::isfinite(rounder_mm)) return what + "there is no path in one piece";
   return what + "the path would be " + geometry::short_text(100.0 * (rounder_mm / planned.round.length_mm - 1.0), 2) +
          " % longer";
