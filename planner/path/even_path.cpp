@@ -109,16 +109,20 @@ bool append_slit(const EvenDomain& domain, const LevelLine& line, Index triangle
   return true;
 }
 
-/// The spiral cut off where phi first passes `last_turn`; it goes on from `crossing` in `triangle`.
+/// The spiral cut off where phi first passes `last_turn` (with folds, where passes lead inward and out again: where it
+/// does so last); it goes on from `crossing` in `triangle`.
 struct CutOff {
   EvenPathPoint crossing;
   Index triangle = geometry::no_index;
 };
-std::optional<CutOff> cut_off(const EvenField& field, const LevelLine& main, double last_turn, EvenPath& out) {
-  std::size_t i = 0;
-  for (; i < main.points.size() && value_at(field.phi, main.points[i]) <= last_turn; ++i) {
-    out.points.push_back({main.points[i], value_at(field.phi, main.points[i]), {}, 0.0});
-  }
+std::optional<CutOff> cut_off(const EvenField& field, const LevelLine& main, double last_turn, bool folded,
+                              EvenPath& out) {
+  const auto within = [&](const SurfacePoint& p) { return value_at(field.phi, p) <= last_turn; };
+  const auto end = folded ? std::find_if(main.points.rbegin(), main.points.rend(), within).base()
+                          : std::find_if_not(main.points.begin(), main.points.end(), within);
+  const auto i = static_cast<std::size_t>(end - main.points.begin());
+  for (std::size_t k = 0; k < i; ++k)
+    out.points.push_back({main.points[k], value_at(field.phi, main.points[k]), {}, 0.0});
   if (i == 0 || i == main.points.size()) return {};
   const double before = value_at(field.phi, main.points[i - 1]), after = value_at(field.phi, main.points[i]);
   return CutOff{{main.points[i - 1], last_turn, main.points[i], (last_turn - before) / (after - before)},
@@ -132,14 +136,14 @@ double append_spiral(const EvenDomain& domain, const EvenField& field, const Lev
   const std::size_t begin = out.points.size();
   if (!slit_line(domain).empty() && field.turns > 2.0) {
     const double last_turn = field.turns - 1.0;
-    const auto end = cut_off(field, main, last_turn, out);
+    const auto end = cut_off(field, main, last_turn, !domain.folds.empty(), out);
     const auto line = end ? turn_through(domain, field, last_turn, end->triangle) : std::nullopt;
     if (line && append_slit(domain, *line, end->triangle, end->crossing, field.turns, interval_mm, out))
       return last_turn;
     out.points.resize(begin);
   }
   const double last_turn = field.turns - 0.5;
-  const auto end = cut_off(field, main, last_turn, out);
+  const auto end = cut_off(field, main, last_turn, !domain.folds.empty(), out);
   const auto line = end ? turn_through(domain, field, last_turn, end->triangle) : std::nullopt;
   if (line) {
     const auto closing = once_around(*line, end->triangle, end->crossing);
