@@ -165,15 +165,16 @@ Index split_chords_once(TriangleMesh& mesh, const MeshTopology& topology, std::v
   for (Index e = 0; e < topology.edge_count(); ++e) {
     const Index h = topology.edge_halfedge(e), g = topology.opposite(h);
     if (g == no_index) continue;
+    char& touched_h = touched[static_cast<std::size_t>(halfedge_triangle(h))];
+    char& touched_g = touched[static_cast<std::size_t>(halfedge_triangle(g))];
+    // Such a triangle is no more the one that the topology and `loop` know; the next sweep sees what it became.
+    if (touched_h || touched_g) continue;
     const Triangle& t = mesh.triangles[static_cast<std::size_t>(halfedge_triangle(h))];
     const Index a = t[static_cast<std::size_t>(h % 3)], b = t[static_cast<std::size_t>((h + 1) % 3)];
     if (loop[static_cast<std::size_t>(a)] == no_index ||
         loop[static_cast<std::size_t>(a)] != loop[static_cast<std::size_t>(b)])
       continue;
     ++found;
-    char& touched_h = touched[static_cast<std::size_t>(halfedge_triangle(h))];
-    char& touched_g = touched[static_cast<std::size_t>(halfedge_triangle(g))];
-    if (touched_h || touched_g) continue;
     touched_h = touched_g = 1;
     const auto middle = static_cast<Index>(mesh.vertices_mm.size());
     mesh.vertices_mm.emplace_back(
