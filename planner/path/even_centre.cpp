@@ -12,8 +12,6 @@
 #include "geometry/index.hpp"
 #include "geometry/mesh_measure.hpp"
 #include "planner/path/even_field.hpp"
-#include "planner/path/even_fold.hpp"
-#include "planner/path/even_fold_search.hpp"
 #include "planner/path/even_path.hpp"
 #include "planner/path/even_ridge.hpp"
 
@@ -21,9 +19,14 @@ namespace volute::planner {
 
 using geometry::at;
 namespace {
-using Scored = ScoredCentre;
 constexpr double hopeless = std::numeric_limits<double>::infinity();
 constexpr double ridge_kept_share = 0.15;  ///< of the depth: ways along ridges are as straight as this lets them be
+
+/// A centre and the path length that its field promises, mm; infinite where there is none.
+struct Scored {
+  double score = std::numeric_limits<double>::infinity();
+  Centre centre;
+};
 
 /// The search on the coarse mesh.
 class CentreSearch {
@@ -40,7 +43,9 @@ class CentreSearch {
     const double interval_mm = rule.interval_mm(0.0), roomiest_mm = *std::max_element(room_mm_.begin(), room_mm_.end());
     room_least_mm_ = std::max(0.5 * interval_mm, std::min(1.5 * interval_mm, 0.5 * roomiest_mm));
     for (Index v = 0; v < static_cast<Index>(depth_mm_.size()); ++v) {
-      if (usable(v)) deepest_mm_ = std::max(deepest_mm_, depth_mm_[at(v)]);
+      if (!usable(v)) continue;
+      usable_.push_back(v);
+      deepest_mm_ = std::max(deepest_mm_, depth_mm_[at(v)]);
     }
   }
 
@@ -64,9 +69,6 @@ class CentreSearch {
       grow(s, found);
     }
     std::stable_sort(found.begin(), found.end(), [](const Scored& a, const Scored& b) { return a.score < b.score; });
-    if (options_.folds_max > 0)
-      add_folds(
-          coarse_, rule_, options_, room_mm_, [&](const std::vector<Centre>& c) { return scores(c); }, found);
     return found;
   }
 
@@ -74,7 +76,6 @@ class CentreSearch {
   static std::vector<Index> key_of(const Centre& centre) {
     std::vector<Index> key{centre.loop};
     for (const Arm& arm : centre.arms) key.insert(key.end(), {arm.from, arm.to});
-    for (const Fold& fold : centre.folds) key.insert(key.end(), {geometry::no_index, fold.from, fold.to});
     return key;
   }
 
@@ -279,31 +280,19 @@ class CentreSearch {
 
   /// The path length that the field promises, mm.
   [[nodiscard]] double score(const Centre& centre) const {
-    constexpr double surcharge_pieces = 1.2, surcharge_misfit = 0.02;
+    constexpr double surcharge_pieces = 1.2;
     auto domain = even_domain(coarse_, centre);
-    if (!domain || !lay_folds(*domain, rule_, centre.folds)) return hopeless;
+    if (!domain) return hopeless;
     const auto solver = EvenFieldSolver::build(*domain, rule_, options_.field, std::nullopt);
     if (!solver) return hopeless;
     EvenField field = solver->start();
     const std::vector<double> gain(domain->mesh.triangles.size(), 1.0);
     solver->improve(field, gain, options_.outer, options_.inner);
     const double length_mm = promised_length_mm(*domain, rule_, solver->slopes(field));
-    if (!centre.folds.empty()) return length_mm * (1.0 + surcharge_misfit * fold_misfit(*domain, field));
     return even_path(*domain, field, rule_.interval_mm(0.0)).pieces == 1 ? length_mm : surcharge_pieces * length_mm;
   }
 
-  /// The usable vertex nearest to a place.
-  [[nodiscard]] Index nearest(const Vec3& place) const {
-    Index out = geometry::no_index;
-    double least = hopeless;
-    for (Index v = 0; v < static_cast<Index>(room_mm_.size()); ++v) {
-      const double d = (coarse_.mesh.vertices_mm[at(v)] - place).squaredNorm();
-      if (d >= least || !usable(v)) continue;
-      least = d;
-      out = v;
-    }
-    return out;
-  }
+  [[nodiscard]] Index nearest(const Vec3& place) const { return nearest_vertex(coarse_.mesh, usable_, place); }
 
   /// The ends moved in six directions each, a few moves at a time; the step shrinks where no move helps.
   [[nodiscard]] Scored moved_ends(Scored best) {
@@ -360,6 +349,7 @@ class CentreSearch {
   IntervalRule rule_;
   CentreSearchOptions options_;
   RidgeWays ways_;
+  std::vector<Index> usable_;               ///< vertices at which a slit may end
   std::vector<Index> loop_of_;              ///< per vertex: the boundary loop it lies on
   std::vector<double> depth_mm_, room_mm_;  ///< from the outer boundary; from any boundary
   double deepest_mm_ = 0.0, room_least_mm_ = 0.0;

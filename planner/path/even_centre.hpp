@@ -20,12 +20,8 @@ struct CentreSearchOptions {
   double arm_gain_min = 0.01;  ///< share of the length that an arm must save
   double grown_within = 1.12;  ///< times the best score so far: a start that is worse is kept as it is
   int moves_max = 30;          ///< tried for each
-  bool ridges = false;  ///< arms along ridges and to other holes too, and starts far behind grown: twice the time
-  int folds_max = 0;    ///< added to the best centre
-  double fold_gain_min = 0.004;                             ///< share of the length that a fold must save
-  int folds_kept = 80;                                      ///< candidates tried again for the next fold
-  int fold_ends = 48;                                       ///< points that a fold may join
-  int outer = 3, inner = 15;                                ///< of each trial field
+  bool ridges = false;        ///< arms along ridges and to other holes too, and starts far behind grown: twice the time
+  int outer = 3, inner = 15;  ///< of each trial field
   EvenFieldOptions field{.step = 20.0, .relaxation = 1.0};  ///< stiff: near enough after these few steps
 };
 
@@ -46,6 +42,9 @@ double promised_length_mm(const EvenDomain& domain, const IntervalRule& rule, st
 /// The same surface with about so many triangles, its vertices among the old ones. Errors: those of
 /// MeshTopology::build.
 Result<EvenSurface> coarse_surface(const EvenSurface& surface, int triangles);
+
+/// The vertex among `pool` nearest to a place. no_index where the pool is empty.
+Index nearest_vertex(const TriangleMesh& mesh, std::span<const Index> pool, const Vec3& place);
 
 /// A centre of one mesh of a surface on another mesh of it: nearest vertices, and the loop that runs there.
 Centre moved_centre(const EvenSurface& from, const Centre& centre, const EvenSurface& to);

@@ -13,15 +13,11 @@ namespace volute::planner {
 using geometry::at;
 namespace {
 
-/// The vertex nearest to a place; off the boundaries where asked.
-Index nearest_vertex(const EvenSurface& surface, const Vec3& place, bool inside) {
-  Index out = geometry::no_index;
-  double least = std::numeric_limits<double>::infinity();
+/// The vertices off the boundaries, or on them.
+std::vector<Index> vertices_of(const EvenSurface& surface, bool inside) {
+  std::vector<Index> out;
   for (Index v = 0; v < static_cast<Index>(surface.mesh.vertices_mm.size()); ++v) {
-    const double d = (surface.mesh.vertices_mm[at(v)] - place).squaredNorm();
-    if (d >= least || surface.topology.is_boundary_vertex(v) == inside) continue;
-    least = d;
-    out = v;
+    if (surface.topology.is_boundary_vertex(v) != inside) out.push_back(v);
   }
   return out;
 }
@@ -57,23 +53,35 @@ Result<EvenSurface> coarse_surface(const EvenSurface& surface, int triangles) {
   return EvenSurface::build(conditioned->mesh);
 }
 
+Index nearest_vertex(const TriangleMesh& mesh, std::span<const Index> pool, const Vec3& place) {
+  Index out = geometry::no_index;
+  double least = std::numeric_limits<double>::infinity();
+  for (Index v : pool) {
+    const double d = (mesh.vertices_mm[at(v)] - place).squaredNorm();
+    if (d >= least) continue;
+    least = d;
+    out = v;
+  }
+  return out;
+}
+
 Centre moved_centre(const EvenSurface& from, const Centre& centre, const EvenSurface& to) {
+  const auto inside = vertices_of(to, true), rim = vertices_of(to, false);
+  const auto moved = [&](Index v) {
+    return nearest_vertex(to.mesh, from.topology.is_boundary_vertex(v) ? rim : inside, from.mesh.vertices_mm[at(v)]);
+  };
   Centre out;
   for (const Arm& arm : centre.arms) {
-    const auto moved = [&](Index v) {
-      return nearest_vertex(to, from.mesh.vertices_mm[at(v)], !from.topology.is_boundary_vertex(v));
-    };
     const Arm there{moved(arm.from), moved(arm.to)};
     if (there.from != there.to) out.arms.push_back(there);
   }
   for (const Fold& fold : centre.folds) {
-    const Fold there{nearest_vertex(to, from.mesh.vertices_mm[at(fold.from)], true),
-                     nearest_vertex(to, from.mesh.vertices_mm[at(fold.to)], true)};
+    const Fold there{moved(fold.from), moved(fold.to)};
     if (there.from != there.to) out.folds.push_back(there);
   }
   if (!centre.has_loop()) return out;
   const auto& loop = from.topology.boundary_loops()[at(centre.loop)];
-  const Index vertex = nearest_vertex(to, from.mesh.vertices_mm[at(loop.vertices.front())], false);
+  const Index vertex = moved(loop.vertices.front());
   const auto& loops = to.topology.boundary_loops();
   for (Index l = 1; l < static_cast<Index>(loops.size()); ++l) {
     const auto& v = loops[at(l)].vertices;

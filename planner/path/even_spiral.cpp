@@ -16,6 +16,7 @@
 #include "geometry/number_text.hpp"
 #include "planner/path/even_centre.hpp"
 #include "planner/path/even_fold.hpp"
+#include "planner/path/even_fold_search.hpp"
 #include "planner/path/even_loop.hpp"
 #include "planner/path/even_prolong.hpp"
 #include "planner/path/path_measure.hpp"
@@ -112,11 +113,13 @@ struct Planned {
   EvenDomain domain;
   EvenRound round;
   std::string note;  ///< what the user should know of how it was found
+  Centre centre;     ///< on the surface that the field lives on
 };
 
 /// One way to look for the path.
 struct Search {
   CentreSearchOptions centres;
+  FoldSearchOptions folds;
   EvenLoopOptions loop;
   int coarse_triangles = 5000;  ///< of the mesh on which the first fields of the best centres are found
 };
@@ -125,14 +128,15 @@ struct Search {
 /// on closer together.
 Search with_bend(double bend) {
   Search search;
-  for (EvenFieldOptions* field : {&search.centres.field, &search.loop.first_field, &search.loop.field})
+  for (EvenFieldOptions* field :
+       {&search.centres.field, &search.folds.field, &search.loop.first_field, &search.loop.field})
     field->bend = bend;
   search.loop.sharp_max = std::numeric_limits<int>::max();
   return search;
 }
 
 /// Sharper bends; then sharper still, with creases, on meshes fine enough to see them; then few corners again, but
-/// passes that turn back; then sharp bends and passes that turn back.
+/// passes that turn back; then sharp bends and passes that turn back; then sharper still.
 std::vector<Search> searches_for_shorter(bool folds) {
   Search creased = with_bend(0.03);
   for (EvenFieldOptions* field : {&creased.centres.field, &creased.loop.first_field, &creased.loop.field})
@@ -140,10 +144,12 @@ std::vector<Search> searches_for_shorter(bool folds) {
   creased.centres.triangles = 4000;
   creased.coarse_triangles = 16000;
   if (!folds) return {with_bend(0.1), creased};
-  Search folded, both = with_bend(0.1);
-  both.centres.ridges = true;
-  folded.centres.folds_max = both.centres.folds_max = 12;
-  return {with_bend(0.1), creased, folded, both};
+  std::vector<Search> out{with_bend(0.1), creased};
+  for (const Search& search : {Search{}, with_bend(0.1), with_bend(0.03)}) {
+    out.push_back(search);
+    out.back().folds.folds_max = 12;
+  }
+  return out;
 }
 
 /// A centre with its first field on the coarse mesh.
@@ -206,7 +212,7 @@ Result<Planned> planned_around(const EvenSurface& surface, const EvenSurface& co
   auto round =
       even_rounds(*domain, prolonged(finalist.domain, finalist.field, *domain), rule, loop, std::move(*factor));
   if (!round) return tl::unexpected(round.error());
-  return Planned{std::move(*domain), std::move(*round), {}};
+  return Planned{std::move(*domain), std::move(*round), {}, centre};
 }
 
 /// The shortest first, then the one with the fewest arms (short arms on a small part leave no room for turns around
@@ -232,11 +238,14 @@ double weight(const EvenRound& round) {
   return round.length_mm * (1.0 + std::max(0.0, round.scallop.max_ratio - scallop_kept));
 }
 
-/// The best few centres of a search on the coarse mesh, with their fields.
+/// The best few centres of a search on the coarse mesh, or one centre with the best few sets of folds, with their
+/// fields.
 Result<std::vector<Finalist>> searched_finalists(const EvenSurface& coarse, const IntervalRule& rule,
-                                                 const PathOptions& options, double ramp_share, const Search& search) {
+                                                 const PathOptions& options, double ramp_share, const Search& search,
+                                                 const std::optional<Centre>& folded) {
   constexpr std::size_t finalists_max = 4;
-  const auto centres = choose_centres(coarse, rule, options, search.centres);
+  auto centres =
+      folded ? with_folds(coarse, rule, search.folds, *folded) : choose_centres(coarse, rule, options, search.centres);
   if (!centres) return tl::unexpected(centres.error());
   return finalists_of(coarse, std::span(*centres).first(std::min(centres->size(), finalists_max)), rule, ramp_share,
                       search.loop);
@@ -244,10 +253,16 @@ Result<std::vector<Finalist>> searched_finalists(const EvenSurface& coarse, cons
 
 bool held(const Result<Planned>& planned) { return planned && planned->round.scallop.max_ratio <= scallop_kept; }
 
+/// Length over that of a plane as large.
+double flat_ratio(const EvenRound& round, const EvenSurface& surface, const IntervalRule& rule) {
+  return round.length_mm * rule.interval_mm(0.0) / geometry::area_mm2(surface.mesh);
+}
+
 /// The centre found on a coarse mesh, the best few weighed by a better field, and the path around it; around another
-/// where it falls into pieces or leaves far more than the scallop.
+/// where it falls into pieces or leaves far more than the scallop. `folded`: this centre, with folds; others too as
+/// long as the path is long.
 Result<Planned> planned_by(const Search& search, const EvenSurface& surface, const IntervalRule& rule,
-                           const PathOptions& options) {
+                           const PathOptions& options, const std::optional<Centre>& folded = std::nullopt) {
   const double ramp_share = ramp_share_of(surface, rule);
   const auto coarse = coarse_surface(surface, search.coarse_triangles);
   if (!coarse) return tl::unexpected(coarse.error());
@@ -255,21 +270,17 @@ Result<Planned> planned_by(const Search& search, const EvenSurface& surface, con
   if (options.centre_loop > 0 && options.centre_loop < static_cast<int>(surface.topology.boundary_loops().size())) {
     on_coarse.centre_loop = moved_centre(surface, {Index{options.centre_loop}, {}}, *coarse).loop;
   }
-  auto finalists = searched_finalists(*coarse, rule, on_coarse, ramp_share, search);
+  auto finalists = searched_finalists(*coarse, rule, on_coarse, ramp_share, search,
+                                      folded ? std::optional(moved_centre(surface, *folded, *coarse)) : std::nullopt);
   if (!finalists) return tl::unexpected(finalists.error());
   Result<Planned> planned = geometry::bad_input("path-even-broken", "no centre was tried");
   for (const std::size_t i : tried_in_order(*finalists, search.centres.ridges)) {
     auto next = planned_around(surface, *coarse, (*finalists)[i], rule, ramp_share, search.loop);
     if (next && planned && weight(next->round) >= weight(planned->round)) continue;
     if (next || !planned) planned = std::move(next);
-    if (held(planned)) break;
+    if (held(planned) && (!folded || flat_ratio(planned->round, surface, rule) <= long_path)) break;
   }
   return planned;
-}
-
-/// Length over that of a plane as large.
-double flat_ratio(const EvenRound& round, const EvenSurface& surface, const IntervalRule& rule) {
-  return round.length_mm * rule.interval_mm(0.0) / geometry::area_mm2(surface.mesh);
 }
 
 /// As planned_by; where that leaves far more than the scallop, around a centre with arms along ridges too.
@@ -298,18 +309,23 @@ std::string shorter_note(const Planned& planned, double rounder_mm) {
 
 /// The usual search, and others with sharper bends and folds as long as the path is long. The lightest path goes on.
 Result<Planned> planned_round(const EvenSurface& surface, const IntervalRule& rule, const PathOptions& options) {
-  constexpr double shorter_by = 0.97;       // times the length: for less, sharper bends are not worth it
+  constexpr double shorter_by = 0.97;       // times the first path: for less, sharp bends and folds are not worth it
   constexpr double folds_area_min = 600.0;  // square intervals: on smaller surfaces a path loses most at its ends
   const double interval_mm = rule.interval_mm(0.0);
   const bool folds = options.cut_direction == CutDirection::any &&
                      geometry::area_mm2(surface.mesh) >= folds_area_min * interval_mm * interval_mm;
   auto planned = planned_or_longer({}, surface, rule, options);
   const double rounder_mm = planned ? planned->round.length_mm : std::numeric_limits<double>::infinity();
+  double lighter_than = planned ? shorter_by * weight(planned->round) : std::numeric_limits<double>::infinity();
   for (const Search& search : searches_for_shorter(folds)) {
     if (planned && flat_ratio(planned->round, surface, rule) <= long_path) break;
-    auto next = planned_or_longer(search, surface, rule, options);
-    if (!next || (planned && weight(next->round) >= shorter_by * weight(planned->round))) continue;
+    const bool folded = search.folds.folds_max > 0;
+    if (folded && !planned) break;
+    auto next = folded ? planned_by(search, surface, rule, options, planned->centre)
+                       : planned_or_longer(search, surface, rule, options);
+    if (!next || weight(next->round) >= lighter_than) continue;
     planned = std::move(next);
+    lighter_than = weight(planned->round);
     planned->note = shorter_note(*planned, rounder_mm);
   }
   return planned;
@@ -329,7 +345,7 @@ Result<CcPathResult> plan_even_spiral(const geometry::TriangleMesh& surface, con
   if (!on) return tl::unexpected(on.error());
   auto planned = planned_round(*on, interval.rule(), options);
   if (!planned) return tl::unexpected(planned.error());
-  auto& [domain, round, note] = *planned;
+  auto& [domain, round, note, centre] = *planned;
 
   const bool finer_given = on->mesh.triangles.size() < prepared->mesh.triangles.size();
   if (finer_given) round.cc = on_surface(*prepared, round.cc);

@@ -1,15 +1,17 @@
 // Folds: passes that turn back where a surface is wide.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
+#include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "geometry/mesh_measure.hpp"
 #include "planner/path/even_centre.hpp"
 #include "planner/path/even_fold.hpp"
+#include "planner/path/even_fold_pull.hpp"
 #include "planner/path/even_fold_search.hpp"
 #include "planner/path/even_loop.hpp"
 #include "planner/path/even_path.hpp"
@@ -139,41 +141,86 @@ TEST(EvenFold, AddsTwoPassesWhereTheSurfaceIsWide) {
   }
 }
 
-// The search is given a score of its own, a longer optimisation than the planner's trial, and finds a fold whose
-// promise is the shortest of all that it was told, up to what a move must save.
-TEST(EvenFold, TheSearchKeepsWhatShortensThePath) {
-  const EvenSurface surface = lopsided_ring();
-  double least = std::numeric_limits<double>::infinity();
+/// What a longer optimisation than the searches' trials promises for these folds.
+double promised_mm(const EvenSurface& surface, std::vector<Fold> folds) {
+  Centre centre = around_hole(surface, false);
+  centre.folds = std::move(folds);
+  auto domain = even_domain(surface, centre);
+  if (!domain || !lay_folds(*domain, rule(), centre.folds)) return std::numeric_limits<double>::infinity();
   EvenLoopOptions quick;
   quick.trial_outer = 2;
   quick.trial_inner = 10;
-  const auto promised = [&](const Centre& centre) {
-    auto domain = even_domain(surface, centre);
-    if (!domain || !lay_folds(*domain, rule(), centre.folds)) return std::numeric_limits<double>::infinity();
-    const auto first = first_field(*domain, rule(), quick);
-    return first ? promised_length_mm(*domain, rule(), first->slopes) : std::numeric_limits<double>::infinity();
+  const auto first = first_field(*domain, rule(), quick);
+  return first ? promised_length_mm(*domain, rule(), first->slopes) : std::numeric_limits<double>::infinity();
+}
+
+// Folds at random, each scored by itself: none saves much more than the one that the search finds.
+TEST(EvenFold, TheSearchKeepsWhatShortensThePath) {
+  const EvenSurface surface = lopsided_ring();
+  FoldSearchOptions options;
+  options.folds_max = 1;
+  const auto found = with_folds(surface, rule(), options, around_hole(surface, true));
+  ASSERT_TRUE(found.has_value()) << (found ? "" : found.error().message);
+  ASSERT_EQ(found->size(), 2u);
+  EXPECT_EQ(found->at(0).folds.size(), 1u);
+  EXPECT_TRUE(found->at(1).folds.empty());
+  const double with_fold_mm = promised_mm(surface, found->at(0).folds);
+  EXPECT_LT(with_fold_mm, 0.97 * promised_mm(surface, {}));
+
+  constexpr unsigned seed = 20261122;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> x_mm(6.0, 26.0), y_mm(-16.0, 16.0);
+  double least_mm = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 24; ++k) {
+    const Fold fold{place_at(surface, x_mm(random), y_mm(random)), place_at(surface, x_mm(random), y_mm(random))};
+    if (fold.from != fold.to) least_mm = std::min(least_mm, promised_mm(surface, {fold}));
+  }
+  EXPECT_LE(with_fold_mm, 1.005 * least_mm);
+}
+
+/// Rank correlation (Spearman). Requires: no two values alike.
+double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto rank = [](const std::vector<double>& values, double value) {
+    return static_cast<double>(std::count_if(values.begin(), values.end(), [&](double v) { return v < value; }));
   };
-  const ScoreCentres score = [&](const std::vector<Centre>& centres) {
-    std::vector<ScoredCentre> out;
-    for (const Centre& centre : centres) {
-      out.push_back({promised(centre), centre});
-      least = std::min(least, out.back().score);
-    }
-    return out;
-  };
-  const Centre plain = around_hole(surface, false);
-  std::vector<ScoredCentre> found = {{promised(plain), plain}};
-  std::vector<double> room_mm(surface.mesh.vertices_mm.size(), 10.0);
-  CentreSearchOptions search;
-  search.folds_max = 1;
-  search.fold_ends = 8;
-  search.moves_max = 1;
-  add_folds(surface, rule(), search, room_mm, score, found);
-  ASSERT_EQ(found.size(), 2u);
-  EXPECT_EQ(found[0].centre.folds.size(), 1u);
-  EXPECT_LE(found[0].score, 1.0021 * least);  // moves that save less than 0.2 % are not made
-  EXPECT_LT(found[0].score, 0.97 * found[1].score);
-  EXPECT_TRUE(found[1].centre.folds.empty());
+  const auto n = static_cast<double>(a.size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::pow(rank(a, a[i]) - rank(b, b[i]), 2);
+  return 1.0 - 6.0 * sum / (n * (n * n - 1.0));
+}
+
+// What the multipliers promise against the length of a field optimised with the fold: they screen, they need not
+// choose.
+TEST(EvenFold, ThePullTellsWhichFoldsShortenThePath) {
+  const EvenSurface surface = lopsided_ring();
+  const EvenDomain domain = domain_of(surface, around_hole(surface, false));
+  const FoldSearchOptions options;
+  const auto solver = EvenFieldSolver::build(domain, rule(), options.field, std::nullopt);
+  ASSERT_TRUE(solver.has_value());
+  EvenField field = solver->start();
+  solver->improve(field, std::vector<double>(domain.mesh.triangles.size(), 1.0), 6, 20);
+  const auto pull_mm = fold_pull_mm(domain, rule(), options.field, field);
+  ASSERT_TRUE(pull_mm.has_value());
+
+  constexpr unsigned seed = 7;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> x_mm(6.0, 26.0), y_mm(-16.0, 16.0);
+  const double plain_mm = promised_mm(surface, {});
+  std::vector<double> told_mm, saved_mm;
+  while (told_mm.size() < 30) {
+    const Fold fold{place_at(surface, x_mm(random), y_mm(random)), place_at(surface, x_mm(random), y_mm(random))};
+    const double saved = fold.from == fold.to ? -INFINITY : plain_mm - promised_mm(surface, {fold});
+    if (!std::isfinite(saved)) continue;  // ends too near to each other
+    told_mm.push_back(pull_mm->at(static_cast<std::size_t>(fold.to)) -
+                      pull_mm->at(static_cast<std::size_t>(fold.from)));
+    saved_mm.push_back(saved);
+  }
+  EXPECT_GT(rank_correlation(told_mm, saved_mm), 0.7);
+  const auto best = std::max_element(told_mm.begin(), told_mm.end()) - told_mm.begin();
+  EXPECT_GT(saved_mm[static_cast<std::size_t>(best)], 0.0)
+      << "told to save " << told_mm[static_cast<std::size_t>(best)];
 }
 
 // Held at equal levels, the two passes that are joined at either end are the same two: a ring. The path runs it all the
