@@ -56,7 +56,9 @@ Vec3 along_crest(const Vec3& a, const Vec3& b) {
 
 double crest_share(const ScallopBalls& balls, const ScallopEntry& from, const ScallopEntry& to) {
   const double sum = balls.height_mm(to.ball, from) - from.height_mm + balls.height_mm(from.ball, to) - to.height_mm;
-  return sum > 0.0 && std::isfinite(sum) ? (balls.height_mm(to.ball, from) - from.height_mm) / sum : 0.5;
+  if (!(sum > 0.0) || !std::isfinite(sum)) return 0.5;
+  // Low heights may be settled by a ball that is not the lowest: the crest then seems to lie beyond the two.
+  return std::clamp((balls.height_mm(to.ball, from) - from.height_mm) / sum, 0.0, 1.0);
 }
 
 }  // namespace volute::planner

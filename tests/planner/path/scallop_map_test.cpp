@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/mesh_measure.hpp"
+#include "planner/path/scallop_climb.hpp"
 #include "planner/path/scallop_map.hpp"
 
 namespace volute::planner {
@@ -283,6 +284,24 @@ TEST(ScallopMap, BoundedHeightsAreExactFromTheRatioOn) {
   EXPECT_GT(only_bounded, 100);
   EXPECT_EQ(bounded.statistics.max_ratio, exact.statistics.max_ratio);
   EXPECT_EQ(bounded.statistics.area_above_percent, exact.statistics.area_above_percent);
+}
+
+// Two balls, 1 mm apart. A height that a guess settled belongs to the farther ball; the crest between the two then
+// reckons to 1 mm beyond the place, off the triangle, where no ball is met and all would stand uncut.
+TEST(ScallopClimb, ACrestLiesBetweenTheTwoPlacesWhateverBallSettledAHeight) {
+  constexpr double radius_mm = 3.0;
+  CcPath path;
+  CcPiece piece;
+  for (const double x : {0.0, 1.0}) piece.points.push_back({Vec3(x, 0.0, 0.0), Vec3::UnitZ(), 0.0, false});
+  path.pieces.push_back(piece);
+  const ScallopBalls balls(path, radius_mm, 20.0);
+  const auto seen = [&](double x_mm, Index ball) {
+    ScallopEntry entry{Vec3(x_mm, 0.0, 0.0), Vec3::UnitZ(), 0.0, ball};
+    entry.height_mm = balls.height_mm(ball, entry);
+    return entry;
+  };
+  EXPECT_NEAR(crest_share(balls, seen(0.3, 0), seen(0.7, 1)), 0.5, 1e-9);
+  EXPECT_EQ(crest_share(balls, seen(0.3, 0), seen(0.4, 1)), 1.0);
 }
 
 }  // namespace
